@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Version, compiler portability, and the hook that reports frames whose directions disagree.
+//
+// The types catch a wrong order and a missing propagation; they cannot catch a wrong axis or two
+// vertices mixed up. With MALUS_CHECK_FRAMES (on unless NDEBUG is defined) every operation on
+// run-time frames checks that both describe light of one direction, and calls the handler with both
+// frames where they don't.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+#define MALUS_VERSION_MAJOR 0
+#define MALUS_VERSION_MINOR 1
+#define MALUS_VERSION_PATCH 0
+
+/// 1: operations check that run-time frames agree in direction. Give it the same value in a whole
+/// program.
+#if !defined(MALUS_CHECK_FRAMES)
+#if defined(NDEBUG)
+#define MALUS_CHECK_FRAMES 0
+#else
+#define MALUS_CHECK_FRAMES 1
+#endif
+#endif
+
+#if defined(_MSC_VER) && !defined(__clang__)
+#define MALUS_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
+#define MALUS_INLINE __forceinline
+#else
+#define MALUS_NO_UNIQUE_ADDRESS [[no_unique_address]]
+#define MALUS_INLINE inline __attribute__((always_inline))
+#endif
+
+namespace malus {
+
+/// What the handler is told: the x and y axes of both frames, and the operation that met them.
+struct FrameMismatch {
+  double left_x[3], left_y[3];
+  double right_x[3], right_y[3];
+  const char* operation;
+};
+
+using FrameMismatchHandler = void (*)(const FrameMismatch&);
+
+namespace detail {
+
+inline void print_axis(const char* name, const double (&axis)[3]) {
+  std::fprintf(stderr, "  %s (%.9g, %.9g, %.9g)\n", name, axis[0], axis[1], axis[2]);
+}
+
+inline void abort_on_mismatch(const FrameMismatch& mismatch) {
+  std::fprintf(stderr, "malus: %s: the frames describe light of different directions\n",
+               mismatch.operation);
+  print_axis("left x ", mismatch.left_x);
+  print_axis("left y ", mismatch.left_y);
+  print_axis("right x", mismatch.right_x);
+  print_axis("right y", mismatch.right_y);
+  std::abort();
+}
+
+inline FrameMismatchHandler& mismatch_handler() {
+  static FrameMismatchHandler handler = abort_on_mismatch;
+  return handler;
+}
+
+}  // namespace detail
+
+/// Replaces the handler of frame mismatches (default: print both frames and abort) and returns the
+/// one before. The handler may throw, log or count; when it returns, the operation goes on. Not
+/// synchronised: set it before threads start.
+inline FrameMismatchHandler set_frame_mismatch_handler(FrameMismatchHandler handler) {
+  FrameMismatchHandler before = detail::mismatch_handler();
+  detail::mismatch_handler() = handler;
+  return before;
+}
+
+}  // namespace malus

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Fresnel reflection and refraction (Born & Wolf, Principles of Optics, sections 1.5 and 14.2), at
+// interfaces to dielectrics and conductors, as mirror-symmetric Mueller blocks in frames with the
+// common axis s (optics/frames.hpp).
+//
+// Signs: fields exp(−iωt), complex index n + ik, k ≥ 0; Verdet's signs, r_s = (cos θi − q)/(cos θi
+// + q) and r_p = (η² cos θi − q)/(η² cos θi + q) with q = η cos θt = √(η² − sin² θi), so that at
+// normal incidence r_p = −r_s: the p axes of both sides are then opposite. S1 = |Es|² − |Ep|², S2 =
+// 2 Re(Es* Ep), S3 = −2 Im(Es* Ep).
+//
+// No trigonometry and no complex arithmetic: with q = a + ib and t = sin²/cos, r_s* r_p = −R_s
+// (|q|² − t² + 2itb)/|q + t|². η is the index behind the interface over that before it; cosines are
+// of the incident side, in [0, 1].
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <malus/mueller.hpp>
+#include <malus/optics/frames.hpp>
+
+namespace malus {
+
+/// What a Mueller block is made of: the intensity ratios of s and p light and the complex ratio of
+/// their product, r_s* r_p = re + i·im (transmission: with its factor q/cos θi).
+template <std::floating_point T>
+struct FresnelTerms {
+  T s, p, re, im;
+
+  /// The value for unpolarised light.
+  constexpr T mean() const { return T(0.5) * (s + p); }
+};
+
+/// cos θt of refraction, 0 beyond the critical angle.
+template <std::floating_point T>
+T refracted_cosine(T cos_i, T eta) {
+  const T sin2_t = (1 - cos_i * cos_i) / (eta * eta);
+  return sin2_t < 1 ? std::sqrt(1 - sin2_t) : T(0);
+}
+
+namespace detail {
+
+/// The terms of reflection from q = a + ib. Both R_p and r_s* r_p are taken times cos² to stay
+/// finite at grazing incidence.
+template <std::floating_point T>
+constexpr FresnelTerms<T> reflection_from_root(T cos_i, T sin2_i, T a, T b) {
+  const T before = cos_i - a, after = cos_i + a;
+  const T rs = (before * before + b * b) / (after * after + b * b);
+  const T ac = a * cos_i, bc = b * cos_i;
+  const T plus = (ac + sin2_i) * (ac + sin2_i) + bc * bc;
+  const T minus = (ac - sin2_i) * (ac - sin2_i) + bc * bc;
+  const T scale = rs / plus;
+  return {rs, scale * minus, -scale * (ac * ac + bc * bc - sin2_i * sin2_i),
+          -scale * 2 * sin2_i * bc};
+}
+
+}  // namespace detail
+
+/// Reflection at a dielectric of relative index eta > 0, from either side; total where sin θi >
+/// eta.
+template <std::floating_point T>
+constexpr FresnelTerms<T> fresnel_dielectric(T cos_i, T eta) {
+  const T sin2 = (1 - cos_i) * (1 + cos_i);
+  const T q2 = eta * eta - sin2;
+  if (q2 > 0) return detail::reflection_from_root(cos_i, sin2, std::sqrt(q2), T(0));
+  return detail::reflection_from_root(cos_i, sin2, T(0), std::sqrt(-q2));
+}
+
+/// Reflection at a conductor of relative complex index eta + ik, k ≥ 0.
+template <std::floating_point T>
+constexpr FresnelTerms<T> fresnel_conductor(T cos_i, T eta, T k) {
+  const T sin2 = (1 - cos_i) * (1 + cos_i);
+  // q² = (η + ik)² − sin² θ; its root by half angles, the larger part first to avoid cancellation.
+  const T re = (eta - k) * (eta + k) - sin2, im = 2 * eta * k;
+  const T modulus = std::sqrt(re * re + im * im);
+  const T larger = std::sqrt(T(0.5) * (modulus + std::abs(re)));
+  const T smaller = larger > 0 ? T(0.5) * im / larger : T(0);
+  return re >= 0 ? detail::reflection_from_root(cos_i, sin2, larger, smaller)
+                 : detail::reflection_from_root(cos_i, sin2, smaller, larger);
+}
+
+/// Refraction into a dielectric of relative index eta: the fractions of power transmitted. All zero
+/// in total reflection.
+template <std::floating_point T>
+constexpr FresnelTerms<T> fresnel_transmission(T cos_i, T eta) {
+  const T sin2 = (1 - cos_i) * (1 + cos_i);
+  const T q2 = eta * eta - sin2;
+  if (!(q2 > 0) || !(cos_i > 0)) return {0, 0, 0, 0};
+  const T q = std::sqrt(q2);
+  const T s = 1 / (cos_i + q), p = eta / (eta * eta * cos_i + q);
+  const T power = 4 * cos_i * q;
+  return {power * s * s, power * p * p, power * s * p, 0};
+}
+
+/// The Mueller block of given terms: S1 = Is − Ip, and S3's sign as said above.
+template <SpectralValue V, FrameType F>
+constexpr BlockMueller<V, incident, exitant, F> fresnel_block(const V& s, const V& p, const V& re,
+                                                              const V& im, const F& enter,
+                                                              const F& exit) {
+  const V half = V(scalar_t<V>(0.5));
+  const V sum = half * (s + p), difference = half * (s - p);
+  return BlockMueller<V, incident, exitant, F>::block({sum, difference, difference, sum},
+                                                      {re, im, -im, re}, enter, exit);
+}
+template <SpectralValue V, FrameType F>
+constexpr BlockMueller<V, incident, exitant, F> fresnel_block(const FresnelTerms<scalar_t<V>>& f,
+                                                              const F& enter, const F& exit) {
+  return fresnel_block(V(f.s), V(f.p), V(f.re), V(f.im), enter, exit);
+}
+
+/// Specular reflection at a dielectric, one index for all channels.
+template <SpectralValue V, FrameType F>
+constexpr BlockMueller<V, incident, exitant, F> dielectric_reflection(scalar_t<V> cos_i,
+                                                                      scalar_t<V> eta,
+                                                                      const F& enter,
+                                                                      const F& exit) {
+  return fresnel_block<V>(fresnel_dielectric(cos_i, eta), enter, exit);
+}
+
+/// Refraction into a dielectric, as a ratio of powers. Radiance changes by a further factor η² (n²
+/// radiance is conserved).
+template <SpectralValue V, FrameType F>
+constexpr BlockMueller<V, incident, exitant, F> dielectric_transmission(scalar_t<V> cos_i,
+                                                                        scalar_t<V> eta,
+                                                                        const F& enter,
+                                                                        const F& exit) {
+  return fresnel_block<V>(fresnel_transmission(cos_i, eta), enter, exit);
+}
+
+/// Specular reflection at a conductor of relative complex index eta + ik, one a channel.
+template <SpectralValue V, FrameType F>
+constexpr BlockMueller<V, incident, exitant, F> conductor_reflection(scalar_t<V> cos_i,
+                                                                     const V& eta, const V& k,
+                                                                     const F& enter,
+                                                                     const F& exit) {
+  V s(0), p(0), re(0), im(0);
+  for (std::size_t i = 0; i < channel_count<V>; ++i) {
+    const auto f = fresnel_conductor(cos_i, channel(eta, i), channel(k, i));
+    set_channel(s, i, f.s);
+    set_channel(p, i, f.p);
+    set_channel(re, i, f.re);
+    set_channel(im, i, f.im);
+  }
+  return fresnel_block(s, p, re, im, enter, exit);
+}
+
+}  // namespace malus

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The propagation operator G (paper, section 4.4): exitant light of one vertex is incident light of
+// the next. Through free space only the side changes; through a medium a transmittance, Mueller<V,
+// exitant, incident>, acts on the way. Importance goes the other way (G*): what measures incident
+// light at a vertex measures exitant light at the one before.
+#pragma once
+
+#include <malus/product.hpp>
+
+namespace malus {
+
+namespace detail {
+
+/// The same values, frames and form in another space. Every change of side goes through here.
+template <class To, class From>
+MALUS_INLINE constexpr To retag(const From& from) {
+  To to;
+  for (std::size_t i = 0; i < value_count(from.form()); ++i)
+    Access::values(to)[i] = Access::values(from)[i];
+  Access::flag(to) = Access::flag(from);
+  if constexpr (MuellerType<From>) {
+    Access::enter(to) = Access::enter(from);
+    Access::exit(to) = Access::exit(from);
+  } else {
+    Access::frame(to) = Access::frame(from);
+  }
+  return to;
+}
+
+}  // namespace detail
+
+/// G on light: exitant to incident through free space.
+template <SpectralValue V, FrameType F, StokesForm Form>
+MALUS_INLINE constexpr Stokes<V, incident, F, Form> propagate(
+    const Stokes<V, exitant, F, Form>& s) {
+  return detail::retag<Stokes<V, incident, F, Form>>(s);
+}
+
+/// G·M: scattering followed by free space.
+template <SpectralValue V, SideTag In, FrameType FI, FrameType FO, MuellerForm Form>
+MALUS_INLINE constexpr Mueller<V, In, incident, FI, FO, Form> propagate(
+    const Mueller<V, In, exitant, FI, FO, Form>& m) {
+  return detail::retag<Mueller<V, In, incident, FI, FO, Form>>(m);
+}
+
+/// G* on importance: it measures incident light here, the result exitant light at the other end of
+/// free space.
+template <SpectralValue V, FrameType F, ImportanceForm Form>
+MALUS_INLINE constexpr Importance<V, exitant, F, Form> propagate(
+    const Importance<V, incident, F, Form>& w) {
+  return detail::retag<Importance<V, exitant, F, Form>>(w);
+}
+template <SpectralValue V, FrameType F, StokesForm Form>
+MALUS_INLINE constexpr Analyzer<V, exitant, F, Form> propagate(
+    const Analyzer<V, incident, F, Form>& w) {
+  return detail::retag<Analyzer<V, exitant, F, Form>>(w);
+}
+
+/// A transmittance: what a stretch of medium does to light on its way from one vertex to the next.
+template <class M>
+concept TransmittanceType = MuellerType<M> && std::same_as<typename M::in_side, exitant> &&
+    std::same_as<typename M::out_side, incident>;
+
+/// G through a medium on light or on a scattering: the transmittance acts last, T·x.
+template <detail::Brings X, TransmittanceType T>
+requires Composable<T, X> MALUS_INLINE constexpr auto propagate(const X& x,
+                                                                const T& transmittance) {
+  return transmittance * x;
+}
+
+/// G* through a medium on importance: the transmittance acts before the measurement, W·T.
+template <detail::Measures W, TransmittanceType T>
+requires Composable<W, T> MALUS_INLINE constexpr auto propagate(const W& w,
+                                                                const T& transmittance) {
+  return w * transmittance;
+}
+
+}  // namespace malus

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The two families that an integrator is templated on: what light, scattering and a camera path are
+// when polarisation is followed, and when it is not. One source serves both; what a family doesn't
+// need, it doesn't compute.
+//
+//   template <class Radiometry> void trace(..., typename Radiometry::CameraPath& path) {
+//     path.deposit(Radiometry::scatter_once(f, light)); ...
+#pragma once
+
+#include <malus/measurement.hpp>
+#include <malus/path_sweep.hpp>
+
+namespace malus {
+
+/// Intensities alone: light, scattering and readings are values. Renders what the m00 components
+/// give.
+template <SpectralValue V>
+struct Unpolarized {
+  using Value = V;
+  using Light = V;                ///< exitant radiance
+  using Scattering = V;           ///< BSDF, phase function or transmittance value
+  using CameraPath = PathSum<V>;  ///< deposits and scatterings of a path, and their result
+  static constexpr bool polarized = false;
+
+  static Light unpolarized(const V& radiance) { return radiance; }
+  /// f acts on light that reached its vertex.
+  static Light scatter(const Scattering& f, const Light& light) { return f * light; }
+  static Light scale(const Light& light, const V& k) { return light * k; }
+  static const V& m00(const Scattering& f) { return f; }
+  /// What a sensor whose image axes are `frame` reads.
+  static Measurement<V> measure(const Light& light, const Frame<scalar_t<V>>&) {
+    return {light, V(0), V(0), V(0)};
+  }
+};
+
+/// Stokes vectors and Mueller matrices with their frames.
+template <SpectralValue V>
+struct Polarized {
+  using Value = V;
+  using Light = Stokes<V, exitant>;
+  using Scattering = Mueller<V, incident, exitant>;
+  using CameraPath = PathSweep<V>;
+  static constexpr bool polarized = true;
+
+  static Light unpolarized(const V& radiance) { return Light::unpolarized(radiance); }
+  static Light scatter(const Scattering& f, const Light& light) { return f * propagate(light); }
+  static Light scale(const Light& light, const V& k) { return light * k; }
+  static V m00(const Scattering& f) { return f.m00(); }
+  /// The paper's measurement equation with W_e = [Id, F_v]: the four Stokes components in the
+  /// sensor's frame.
+  static Measurement<V> measure(const Light& light, const Frame<scalar_t<V>>& frame) {
+    return Importance<V, incident>::plain(V(1), frame) * propagate(light);
+  }
+};
+
+}  // namespace malus

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// Sums of quantities of one kind and one space (paper, sections 4.1, 4.2 and Appendix A). The right
+// one is expressed in the left one's frames; where the left has none, the right one's are taken.
+// Illegal sums are deleted with their reason.
+//
+//   [S, F] + [T, G]           = [S + F G⁻¹ T, F]
+//   [M, Fi, Fo] + [N, Gi, Go] = [M + Fo Go⁻¹ N Gi Fi⁻¹, Fi, Fo]
+#pragma once
+
+#include <concepts>
+
+#include <malus/product.hpp>
+
+namespace malus {
+
+namespace detail {
+
+template <class A, class B>
+concept SameKind = (StokesType<A> && StokesType<B>) || (MuellerType<A> && MuellerType<B>) ||
+                   (ImportanceType<A> && ImportanceType<B>) || (AnalyzerType<A> && AnalyzerType<B>);
+
+template <class Q>
+struct SumSpace {
+  using sides = typename Q::side;
+  using frames = typename Q::frame_type;
+};
+template <MuellerType Q>
+struct SumSpace<Q> {
+  using sides = void(typename Q::in_side*, typename Q::out_side*);
+  using frames = void(typename Q::enter_frame_type, typename Q::exit_frame_type);
+};
+
+template <class A, class B>
+concept SameSides = std::same_as < typename SumSpace<A>::sides,
+typename SumSpace<B>::sides > ;
+template <class A, class B>
+concept SameFrames = std::same_as < typename SumSpace<A>::frames,
+typename SumSpace<B>::frames > ;
+
+}  // namespace detail
+
+/// Two quantities of one kind, in one space: they may be added.
+template <class A, class B>
+concept Summable = detail::SameKind<A, B> && detail::SameValue<A, B> && detail::SameSides<A, B> &&
+    detail::SameFrames<A, B>;
+
+// ---- Stokes + Stokes, Analyzer + Analyzer
+// -----------------------------------------------------------------------------
+
+namespace detail {
+
+/// a + b of two quantities of four components and one frame.
+template <class Result, class A, class B>
+MALUS_INLINE constexpr Result add_vectors(const A& a, const B& b, const char* operation) {
+  Result result;
+  visit_form(a, [&](auto fa) {
+    visit_form(b, [&](auto fb) {
+      constexpr StokesForm R = sum_form(fa(), fb());
+      set_form<R>(result);
+      if constexpr (R != StokesForm::zero) {
+        const auto *av = Access::values(a), *bv = Access::values(b);
+        auto* out = Access::values(result);
+        constexpr std::size_t na = value_count(fa()), nb = value_count(fb());
+        typename A::value_type turned[nb > 0 ? nb : 1];
+        for (std::size_t i = 0; i < nb; ++i) turned[i] = bv[i];
+        if constexpr (fa() == StokesForm::full && fb() == StokesForm::full)
+          rotate(turn_between(Access::frame(b), Access::frame(a), operation), turned[1], turned[2]);
+        for (std::size_t i = 0; i < value_count(R); ++i) {
+          if (i < na && i < nb)
+            out[i] = av[i] + turned[i < nb ? i : 0];
+          else
+            out[i] = i < na ? av[i] : turned[i < nb ? i : 0];
+        }
+        if constexpr (fa() == StokesForm::full)
+          copy_frame(Access::frame(result), Access::frame(a));
+        else if constexpr (fb() == StokesForm::full)
+          copy_frame(Access::frame(result), Access::frame(b));
+      }
+    });
+  });
+  return result;
+}
+
+}  // namespace detail
+
+template <StokesType A, StokesType B>
+requires Summable<A, B> MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
+  using Result = Stokes<typename A::value_type, typename A::side, typename A::frame_type,
+                        sum_form(A::static_form, B::static_form)>;
+  return detail::add_vectors<Result>(a, b, "Stokes + Stokes");
+}
+
+template <AnalyzerType A, AnalyzerType B>
+requires Summable<A, B> MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
+  using Result = Analyzer<typename A::value_type, typename A::side, typename A::frame_type,
+                          sum_form(A::static_form, B::static_form)>;
+  return detail::add_vectors<Result>(a, b, "Analyzer + Analyzer");
+}
+
+// ---- Mueller + Mueller
+// ---------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// The frames that a sum of matrices is expressed in: those of the left operand, then of the right
+/// one; for collinear sums with one frame known, that one on both sides.
+template <class T>
+struct SumFrames {
+  const Frame<T>* enter = nullptr;
+  const Frame<T>* exit = nullptr;
+};
+
+template <class M>
+constexpr void add_frames_of(const M& m, SumFrames<typename M::scalar_type>& frames) {
+  if constexpr (requires { Access::enter(m).frame; })
+    if (!frames.enter && needs_enter_frame(m.form())) frames.enter = &Access::enter(m).frame;
+  if constexpr (requires { Access::exit(m).frame; })
+    if (!frames.exit && needs_exit_frame(m.form())) frames.exit = &Access::exit(m).frame;
+}
+
+/// rows += m expressed in `frames`. Returns whether all turns needed were quarter turns.
+template <class M>
+constexpr bool add_expressed(const M& m, const SumFrames<typename M::scalar_type>& frames,
+                             typename M::value_type* rows) {
+  using V = typename M::value_type;
+  V own[16];
+  visit_form(m, [&](auto f) { expand<f()>(Access::values(m), own); });
+  Rotation<typename M::scalar_type> enter_turn, exit_turn;
+  if constexpr (requires { Access::enter(m).frame; })
+    if (needs_enter_frame(m.form()) && frames.enter)
+      enter_turn = rotation(Access::enter(m).frame, *frames.enter, "Mueller + Mueller");
+  if constexpr (requires { Access::exit(m).frame; })
+    if (needs_exit_frame(m.form()) && frames.exit)
+      exit_turn = rotation(Access::exit(m).frame, *frames.exit, "Mueller + Mueller");
+  // A collinear matrix is diagonal in any one frame: in two it is turned from the enter to the exit
+  // frame.
+  if (is_collinear(m.form()) && frames.enter && frames.exit)
+    exit_turn = rotation(*frames.enter, *frames.exit, "Mueller + Mueller");
+  for (std::size_t c = 0; c < 4; ++c) rotate(exit_turn, own[4 + c], own[8 + c]);
+  for (std::size_t r = 0; r < 4; ++r) rotate(enter_turn, own[4 * r + 1], own[4 * r + 2]);
+  for (std::size_t i = 0; i < 16; ++i) rows[i] += own[i];
+  return enter_turn.is_quarter_turns() && exit_turn.is_quarter_turns();
+}
+
+}  // namespace detail
+
+template <MuellerType A, MuellerType B>
+requires Summable<A, B>
+constexpr auto operator+(const A& a, const B& b) {
+  using V = typename A::value_type;
+  constexpr bool static_frames =
+      StaticFrameType<typename A::enter_frame_type> && StaticFrameType<typename A::exit_frame_type>;
+  constexpr MuellerForm R = sum_form(A::static_form, B::static_form, static_frames);
+  Mueller<V, typename A::in_side, typename A::out_side, typename A::enter_frame_type,
+          typename A::exit_frame_type, R>
+      result;
+  detail::SumFrames<typename A::scalar_type> frames;
+  detail::add_frames_of(a, frames);
+  detail::add_frames_of(b, frames);
+  if (!frames.enter) frames.enter = frames.exit;
+  if (!frames.exit) frames.exit = frames.enter;
+
+  V rows[16];
+  for (V& row : rows) row = V(0);
+  bool coincident = detail::add_expressed(a, frames, rows);
+  coincident = detail::add_expressed(b, frames, rows) && coincident;
+
+  const MuellerForm form = R == MuellerForm::dynamic ? sum_form(a.form(), b.form(), coincident) : R;
+  if constexpr (R == MuellerForm::dynamic) {
+    detail::Access::flag(result) = detail::FormFlag<R>(form);
+    detail::with_form(form, [&](auto f) {
+      detail::compress<f()>(static_cast<const V*>(rows), detail::Access::values(result));
+    });
+  } else {
+    detail::compress<R>(static_cast<const V*>(rows), detail::Access::values(result));
+  }
+  if constexpr (requires { detail::Access::enter(result).frame; })
+    if (needs_enter_frame(form)) detail::Access::enter(result).frame = *frames.enter;
+  if constexpr (requires { detail::Access::exit(result).frame; })
+    if (needs_exit_frame(form)) detail::Access::exit(result).frame = *frames.exit;
+  return result;
+}
+
+// ---- Importance + Importance
+// ----------------------------------------------------------------------------------------
+
+template <ImportanceType A, ImportanceType B>
+requires Summable<A, B>
+constexpr auto operator+(const A& a, const B& b) {
+  using V = typename A::value_type;
+  using T = typename A::scalar_type;
+  constexpr bool static_frames = StaticFrameType<typename A::frame_type>;
+  constexpr ImportanceForm R = sum_form(A::static_form, B::static_form, static_frames);
+  Importance<V, typename A::side, typename A::frame_type, R> result;
+  const bool a_has_frame = needs_frame(a.form()), b_has_frame = needs_frame(b.form());
+
+  V left[16], right[16];
+  detail::visit_form(a, [&](auto f) { detail::expand<f()>(detail::Access::values(a), left); });
+  detail::visit_form(b, [&](auto f) { detail::expand<f()>(detail::Access::values(b), right); });
+  bool coincident = true;
+  if constexpr (requires {
+                  detail::Access::frame(a).frame;
+                  detail::Access::frame(b).frame;
+                }) {
+    if (a_has_frame && b_has_frame) {
+      const Rotation<T> turn = rotation(detail::Access::frame(b).frame,
+                                        detail::Access::frame(a).frame, "Importance + Importance");
+      coincident = turn.sin2 == 0 && turn.cos2 > 0;
+      for (std::size_t r = 0; r < 4; ++r) rotate(turn, right[4 * r + 1], right[4 * r + 2]);
+    }
+  }
+  for (std::size_t i = 0; i < 16; ++i) left[i] += right[i];
+
+  if constexpr (R == ImportanceForm::dynamic) {
+    const ImportanceForm form = sum_form(a.form(), b.form(), coincident);
+    detail::Access::flag(result) = detail::FormFlag<R>(form);
+    detail::with_form(form, [&](auto f) {
+      detail::compress<f()>(static_cast<const V*>(left), detail::Access::values(result));
+    });
+  } else {
+    detail::compress<R>(static_cast<const V*>(left), detail::Access::values(result));
+  }
+  if constexpr (requires { detail::Access::frame(a).frame; })
+    if (a_has_frame) detail::copy_frame(detail::Access::frame(result), detail::Access::frame(a));
+  if constexpr (requires { detail::Access::frame(b).frame; })
+    if (!a_has_frame && b_has_frame)
+      detail::copy_frame(detail::Access::frame(result), detail::Access::frame(b));
+  return result;
+}
+
+template <class A, class B>
+requires(Summable<A, B>&& requires(A a, B b) { a = a + b; }) MALUS_INLINE constexpr A& operator+=(
+    A& a, const B& b) {
+  return a = a + b;
+}
+
+// ---- what does not compile, and why
+// -----------------------------------------------------------------------------------
+
+template <class A, class B>
+requires(detail::SameKind<A, B> && !detail::SameValue<A, B>) error::value_types_differ operator+(
+    const A&, const B&) = delete;
+
+template <class A, class B>
+requires(detail::SameKind<A, B>&& detail::SameValue<A, B> &&
+         !detail::SameSides<A, B>) error::sides_differ
+operator+(const A&, const B&) = delete;
+
+template <class A, class B>
+requires(detail::SameKind<A, B>&& detail::SameValue<A, B>&& detail::SameSides<A, B> &&
+         !detail::SameFrames<A, B>) error::frames_differ
+operator+(const A&, const B&) = delete;
+
+template <class A, class B>
+requires(detail::Scalable<A>&& detail::Scalable<B> && !detail::SameKind<A, B>) error::kinds_differ
+operator+(const A&, const B&) = delete;
+
+template <class A, class B>
+requires((MeasurementType<A> && detail::Scalable<B>) ||
+         (MeasurementType<B> && detail::Scalable<A>)) error::measurement_has_no_frame
+operator+(const A&, const B&) = delete;
+
+}  // namespace malus
