@@ -34,10 +34,11 @@
 
 namespace malus {
 
-/// What the handler is told: the x and y axes of both frames, and the operation that met them.
+/// What the handler is told: the axes of the frame that an operand is in and of the one that it had to
+/// be expressed in, and the operation that met them.
 struct FrameMismatch {
-  double left_x[3], left_y[3];
-  double right_x[3], right_y[3];
+  double from_x[3], from_y[3];
+  double to_x[3], to_y[3];
   const char* operation;
 };
 
@@ -52,10 +53,10 @@ inline void print_axis(const char* name, const double (&axis)[3]) {
 inline void abort_on_mismatch(const FrameMismatch& mismatch) {
   std::fprintf(stderr, "malus: %s: the frames describe light of different directions\n",
                mismatch.operation);
-  print_axis("left x ", mismatch.left_x);
-  print_axis("left y ", mismatch.left_y);
-  print_axis("right x", mismatch.right_x);
-  print_axis("right y", mismatch.right_y);
+  print_axis("from x", mismatch.from_x);
+  print_axis("from y", mismatch.from_y);
+  print_axis("to   x", mismatch.to_x);
+  print_axis("to   y", mismatch.to_y);
   std::abort();
 }
 

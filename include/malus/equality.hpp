@@ -19,8 +19,7 @@ constexpr scalar_t<V> largest_magnitude(const V* values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t c = 0; c < channel_count<V>; ++c) {
       const scalar_t<V> magnitude = std::abs(channel(values[i], c));
-      // The negated comparison lets a NaN through, so that nothing is close to it.
-      if (!(magnitude <= largest)) largest = magnitude;
+      if (magnitude > largest) largest = magnitude;
     }
   return largest;
 }
@@ -40,7 +39,7 @@ constexpr void write_components(const Q& q, typename Q::value_type* out) {
 }  // namespace detail
 
 /// True when a and b differ in no component, expressed in the same frames, by more than `tolerance`
-/// times the largest component of both. Never true where a component is NaN.
+/// times the largest component of both. Never true where a component is NaN or infinite.
 template <class A, class B>
 requires Summable<A, B>
 constexpr bool is_close(const A& a, const B& b, typename A::scalar_type tolerance) {
@@ -52,6 +51,8 @@ constexpr bool is_close(const A& a, const B& b, typename A::scalar_type toleranc
   detail::write_components(b, right);
   // a + (−b) brings b into a's frames, or a into b's where a has none.
   detail::write_components(a + b * V(T(-1)), difference);
+  for (const V& d : difference)
+    if (!is_finite(d)) return false;
   const T scale = std::max(detail::largest_magnitude(left, n), detail::largest_magnitude(right, n));
   return detail::largest_magnitude(difference, n) <= tolerance * scale;
 }

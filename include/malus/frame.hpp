@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 #include <glm/geometric.hpp>
@@ -68,8 +69,12 @@ struct Rotation {
   constexpr Rotation inverse() const { return {cos2, -sin2}; }
 
   /// True for multiples of a quarter turn, which map mirror-symmetric matrices to mirror-symmetric
-  /// ones.
-  constexpr bool is_quarter_turns() const { return sin2 == 0; }
+  /// ones. To rounding: a frame's axes are orthogonal to rounding only, so that even between a frame
+  /// and itself sin2 is seldom 0.
+  constexpr bool is_quarter_turns() const {
+    constexpr T rounding = 8 * std::numeric_limits<T>::epsilon();
+    return -rounding <= sin2 && sin2 <= rounding;
+  }
 
   /// R(φ₁) R(φ₂) = R(φ₁ + φ₂).
   friend constexpr Rotation operator*(Rotation a, Rotation b) {
@@ -115,7 +120,9 @@ class Frame {
     const T length2 = glm::dot(x, x);
     constexpr T parallel = sizeof(T) == 4 ? T(1e-12) : T(1e-28);
     if (!(length2 > parallel * glm::dot(h, h))) return about(d);
-    return from_direction_and_x(d, x / std::sqrt(length2));
+    // Near the direction the difference is mostly rounding along it: take that off again.
+    const vector across = x / std::sqrt(length2);
+    return from_direction_and_x(d, glm::normalize(across - glm::dot(across, d) * d));
   }
 
   /// Some frame about a unit direction, continuous but at z = 0 (Duff et al. 2017, "Building an
@@ -177,18 +184,18 @@ namespace detail {
 
 #if MALUS_CHECK_FRAMES
 template <class T>
-void check_one_direction(const Frame<T>& left, const Frame<T>& right, const char* operation) {
-  const auto a = left.direction(), b = right.direction();
+void check_one_direction(const Frame<T>& from, const Frame<T>& to, const char* operation) {
+  const auto a = from.direction(), b = to.direction();
   const T scale = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
   // Two float directions computed in two ways differ by some 1e-6; a wrong vertex differs by far
   // more than 1e-3.
   if (glm::dot(a, b) >= T(1 - 1e-3) * scale) return;
   FrameMismatch m{};
   for (int i = 0; i < 3; ++i) {
-    m.left_x[i] = static_cast<double>(left.x()[i]);
-    m.left_y[i] = static_cast<double>(left.y()[i]);
-    m.right_x[i] = static_cast<double>(right.x()[i]);
-    m.right_y[i] = static_cast<double>(right.y()[i]);
+    m.from_x[i] = static_cast<double>(from.x()[i]);
+    m.from_y[i] = static_cast<double>(from.y()[i]);
+    m.to_x[i] = static_cast<double>(to.x()[i]);
+    m.to_y[i] = static_cast<double>(to.y()[i]);
   }
   m.operation = operation;
   mismatch_handler()(m);

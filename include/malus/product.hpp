@@ -361,7 +361,7 @@ MALUS_INLINE constexpr Q operator/(const Q& q, typename Q::scalar_type k) {
   return q * typename Q::value_type(1 / k);
 }
 template <detail::Scalable Q, class K>
-requires requires(Q q, K k) { q* k; }
+requires requires(Q q, K k) { q = q * k; }
 MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) { return q = q * k; }
 
 // ---- what does not compile, and why

@@ -2,9 +2,6 @@
 // The two families that an integrator is templated on: what light, scattering and a camera path are
 // when polarisation is followed, and when it is not. One source serves both; what a family doesn't
 // need, it doesn't compute.
-//
-//   template <class Radiometry> void trace(..., typename Radiometry::CameraPath& path) {
-//     path.deposit(Radiometry::scatter_once(f, light)); ...
 #pragma once
 
 #include <malus/measurement.hpp>
@@ -23,9 +20,10 @@ struct Unpolarized {
   static constexpr bool polarized = false;
 
   static Light unpolarized(const V& radiance) { return radiance; }
+  static Scattering depolarizer(const V& m00) { return m00; }
+  static Scattering plain(const V& a) { return a; }
   /// f acts on light that reached its vertex.
   static Light scatter(const Scattering& f, const Light& light) { return f * light; }
-  static Light scale(const Light& light, const V& k) { return light * k; }
   static const V& m00(const Scattering& f) { return f; }
   /// What a sensor whose image axes are `frame` reads.
   static Measurement<V> measure(const Light& light, const Frame<scalar_t<V>>&) {
@@ -43,8 +41,9 @@ struct Polarized {
   static constexpr bool polarized = true;
 
   static Light unpolarized(const V& radiance) { return Light::unpolarized(radiance); }
+  static Scattering depolarizer(const V& m00) { return Scattering::depolarizing(m00); }
+  static Scattering plain(const V& a) { return Scattering::plain(a); }
   static Light scatter(const Scattering& f, const Light& light) { return f * propagate(light); }
-  static Light scale(const Light& light, const V& k) { return light * k; }
   static V m00(const Scattering& f) { return f.m00(); }
   /// The paper's measurement equation with W_e = [Id, F_v]: the four Stokes components in the
   /// sensor's frame.

@@ -205,7 +205,7 @@ constexpr auto operator+(const A& a, const B& b) {
     if (a_has_frame && b_has_frame) {
       const Rotation<T> turn = rotation(detail::Access::frame(b).frame,
                                         detail::Access::frame(a).frame, "Importance + Importance");
-      coincident = turn.sin2 == 0 && turn.cos2 > 0;
+      coincident = turn.is_quarter_turns() && turn.cos2 > 0;
       for (std::size_t r = 0; r < 4; ++r) rotate(turn, right[4 * r + 1], right[4 * r + 2]);
     }
   }
@@ -237,27 +237,47 @@ requires(Summable<A, B>&& requires(A a, B b) { a = a + b; }) MALUS_INLINE conste
 // ---- what does not compile, and why
 // -----------------------------------------------------------------------------------
 
+namespace detail {
 template <class A, class B>
-requires(detail::SameKind<A, B> && !detail::SameValue<A, B>) error::value_types_differ operator+(
+concept ValuesDiffer = SameKind<A, B> && !SameValue<A, B>;
+template <class A, class B>
+concept SidesDiffer = SameKind<A, B> && SameValue<A, B> && !SameSides<A, B>;
+template <class A, class B>
+concept FramesDiffer = SameKind<A, B> && SameValue<A, B> && SameSides<A, B> && !SameFrames<A, B>;
+template <class A, class B>
+concept KindsDiffer = Scalable<A> && Scalable<B> && !SameKind<A, B>;
+template <class A, class B>
+concept ReadingAndQuantity = (MeasurementType<A> && Scalable<B>) ||
+                             (MeasurementType<B> && Scalable<A>);
+}  // namespace detail
+
+template <class A, class B>
+requires detail::ValuesDiffer<A, B> error::value_types_differ operator+(const A&,
+                                                                        const B&) = delete;
+template <class A, class B>
+requires detail::ValuesDiffer<A, B> error::value_types_differ operator+=(const A&,
+                                                                         const B&) = delete;
+
+template <class A, class B>
+requires detail::SidesDiffer<A, B> error::sides_differ operator+(const A&, const B&) = delete;
+template <class A, class B>
+requires detail::SidesDiffer<A, B> error::sides_differ operator+=(const A&, const B&) = delete;
+
+template <class A, class B>
+requires detail::FramesDiffer<A, B> error::frames_differ operator+(const A&, const B&) = delete;
+template <class A, class B>
+requires detail::FramesDiffer<A, B> error::frames_differ operator+=(const A&, const B&) = delete;
+
+template <class A, class B>
+requires detail::KindsDiffer<A, B> error::kinds_differ operator+(const A&, const B&) = delete;
+template <class A, class B>
+requires detail::KindsDiffer<A, B> error::kinds_differ operator+=(const A&, const B&) = delete;
+
+template <class A, class B>
+requires detail::ReadingAndQuantity<A, B> error::measurement_has_no_frame operator+(
     const A&, const B&) = delete;
-
 template <class A, class B>
-requires(detail::SameKind<A, B>&& detail::SameValue<A, B> &&
-         !detail::SameSides<A, B>) error::sides_differ
-operator+(const A&, const B&) = delete;
-
-template <class A, class B>
-requires(detail::SameKind<A, B>&& detail::SameValue<A, B>&& detail::SameSides<A, B> &&
-         !detail::SameFrames<A, B>) error::frames_differ
-operator+(const A&, const B&) = delete;
-
-template <class A, class B>
-requires(detail::Scalable<A>&& detail::Scalable<B> && !detail::SameKind<A, B>) error::kinds_differ
-operator+(const A&, const B&) = delete;
-
-template <class A, class B>
-requires((MeasurementType<A> && detail::Scalable<B>) ||
-         (MeasurementType<B> && detail::Scalable<A>)) error::measurement_has_no_frame
-operator+(const A&, const B&) = delete;
+requires detail::ReadingAndQuantity<A, B> error::measurement_has_no_frame operator+=(
+    const A&, const B&) = delete;
 
 }  // namespace malus

@@ -4,6 +4,10 @@
 // of light propagation.
 #pragma once
 
+#include <cmath>
+#include <concepts>
+#include <limits>
+
 #include <malus/frame.hpp>
 
 namespace malus {
@@ -20,13 +24,13 @@ FramePair<T> frames_with_common_axis(const D& in, const D& out, const S& s) {
 }
 
 /// For reflection and refraction at a surface of normal n: s along n × ω. At normal incidence every
-/// s will do.
+/// s will do, and where sin² θ drowns in rounding, so that n × ω is no longer perpendicular to ω.
 template <std::floating_point T, Vector3 D, Vector3 N>
 FramePair<T> frames_of_incidence(const N& normal, const D& in, const D& out) {
   const auto n = detail::to_vec3<T>(normal), d = detail::to_vec3<T>(in);
   glm::vec<3, T> s = glm::cross(n, d);
   const T length2 = glm::dot(s, s);
-  constexpr T normal_incidence = sizeof(T) == 4 ? T(1e-12) : T(1e-28);
+  constexpr T normal_incidence = std::numeric_limits<T>::epsilon();
   s = length2 > normal_incidence ? s / std::sqrt(length2) : Frame<T>::about(d).x();
   return frames_with_common_axis<T>(d, detail::to_vec3<T>(out), s);
 }

@@ -31,21 +31,24 @@ struct FresnelTerms {
   constexpr T mean() const { return T(0.5) * (s + p); }
 };
 
-/// cos θt of refraction, 0 beyond the critical angle.
-template <std::floating_point T>
-T refracted_cosine(T cos_i, T eta) {
-  const T sin2_t = (1 - cos_i * cos_i) / (eta * eta);
-  return sin2_t < 1 ? std::sqrt(1 - sin2_t) : T(0);
-}
-
 namespace detail {
+
+/// η² − sin² θi = q², written so that nothing cancels at grazing incidence or where η is near 1:
+/// with η = 1, q is cos θi itself and nothing is reflected.
+template <std::floating_point T>
+constexpr T squared_root_term(T cos_i, T eta) {
+  return (eta - 1) * (eta + 1) + cos_i * cos_i;
+}
 
 /// The terms of reflection from q = a + ib. Both R_p and r_s* r_p are taken times cos² to stay
 /// finite at grazing incidence.
 template <std::floating_point T>
 constexpr FresnelTerms<T> reflection_from_root(T cos_i, T sin2_i, T a, T b) {
   const T before = cos_i - a, after = cos_i + a;
-  const T rs = (before * before + b * b) / (after * after + b * b);
+  const T after2 = after * after + b * b;
+  // Grazing light where there is no interface: cos θi = q = 0.
+  if (after2 == 0) return {0, 0, 0, 0};
+  const T rs = (before * before + b * b) / after2;
   const T ac = a * cos_i, bc = b * cos_i;
   const T plus = (ac + sin2_i) * (ac + sin2_i) + bc * bc;
   const T minus = (ac - sin2_i) * (ac - sin2_i) + bc * bc;
@@ -56,12 +59,19 @@ constexpr FresnelTerms<T> reflection_from_root(T cos_i, T sin2_i, T a, T b) {
 
 }  // namespace detail
 
+/// cos θt of refraction, 0 beyond the critical angle.
+template <std::floating_point T>
+T refracted_cosine(T cos_i, T eta) {
+  const T q2 = detail::squared_root_term(cos_i, eta);
+  return q2 > 0 ? std::sqrt(q2) / eta : T(0);
+}
+
 /// Reflection at a dielectric of relative index eta > 0, from either side; total where sin θi >
 /// eta.
 template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_dielectric(T cos_i, T eta) {
   const T sin2 = (1 - cos_i) * (1 + cos_i);
-  const T q2 = eta * eta - sin2;
+  const T q2 = detail::squared_root_term(cos_i, eta);
   if (q2 > 0) return detail::reflection_from_root(cos_i, sin2, std::sqrt(q2), T(0));
   return detail::reflection_from_root(cos_i, sin2, T(0), std::sqrt(-q2));
 }
@@ -71,7 +81,7 @@ template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_conductor(T cos_i, T eta, T k) {
   const T sin2 = (1 - cos_i) * (1 + cos_i);
   // q² = (η + ik)² − sin² θ; its root by half angles, the larger part first to avoid cancellation.
-  const T re = (eta - k) * (eta + k) - sin2, im = 2 * eta * k;
+  const T re = detail::squared_root_term(cos_i, eta) - k * k, im = 2 * eta * k;
   const T modulus = std::sqrt(re * re + im * im);
   const T larger = std::sqrt(T(0.5) * (modulus + std::abs(re)));
   const T smaller = larger > 0 ? T(0.5) * im / larger : T(0);
@@ -80,12 +90,14 @@ constexpr FresnelTerms<T> fresnel_conductor(T cos_i, T eta, T k) {
 }
 
 /// Refraction into a dielectric of relative index eta: the fractions of power transmitted. All zero
-/// in total reflection.
+/// in total reflection and, but for eta = 1, at cos_i = 0.
 template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_transmission(T cos_i, T eta) {
-  const T sin2 = (1 - cos_i) * (1 + cos_i);
-  const T q2 = eta * eta - sin2;
-  if (!(q2 > 0) || !(cos_i > 0)) return {0, 0, 0, 0};
+  const T q2 = detail::squared_root_term(cos_i, eta);
+  if (!(q2 > 0) || !(cos_i > 0)) {
+    const T all = eta == 1 ? T(1) : T(0);
+    return {all, all, all, 0};
+  }
   const T q = std::sqrt(q2);
   const T s = 1 / (cos_i + q), p = eta / (eta * eta * cos_i + q);
   const T power = 4 * cos_i * q;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Vectors, and small geometry on them. World space is single precision, as Embree's is.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <malus/spectrum.hpp>
+
+namespace renderer {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using malus::Rgb;
+
+inline constexpr float pi = 3.14159265358979323846f;
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+inline Rgb to_rgb(const glm::dvec3& c) {
+  return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+}
+
+/// Mirror image of w about the axis n; both point away from the surface.
+inline Vec3 reflect_about(const Vec3& w, const Vec3& n) { return 2 * glm::dot(w, n) * n - w; }
+
+inline Vec3 transform_point(const glm::dmat4& m, const glm::dvec3& p) {
+  return Vec3(glm::dvec3(m * glm::dvec4(p, 1.0)));
+}
+inline glm::dvec3 transform_vector(const glm::dmat4& m, const glm::dvec3& v) {
+  return glm::dvec3(m * glm::dvec4(v, 0.0));
+}
+/// A normal goes by the inverse transpose; the result is of unit length.
+inline Vec3 transform_normal(const glm::dmat4& m, const glm::dvec3& n) {
+  return Vec3(glm::normalize(glm::dvec3(glm::transpose(glm::inverse(m)) * glm::dvec4(n, 0.0))));
+}
+
+/// Two unit vectors that make a right-handed basis with a unit vector n (Duff et al. 2017).
+struct Basis {
+  Vec3 s, t;
+  explicit Basis(const Vec3& n) {
+    const float sign = std::copysign(1.0f, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    s = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    t = {b, sign + n.y * n.y * a, -n.y};
+  }
+};
+
+}  // namespace renderer

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "geometry.hpp"
+
+#include <string>
+#include <variant>
+
+#include "../io/input_error.hpp"
+
+#if MALUS_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace renderer {
+
+namespace {
+
+/// The nearer root above `nearest` of |o + t d − c| = r, in double precision, since grazing rays cancel badly in single.
+float intersect_sphere(const Sphere& s, const glm::dvec3& origin, const glm::dvec3& direction,
+                       double nearest, double farthest) {
+  const glm::dvec3 o = origin - glm::dvec3(s.center);
+  const double a = glm::dot(direction, direction), b = glm::dot(o, direction);
+  const glm::dvec3 closest = o - (b / a) * direction;
+  const double r = static_cast<double>(s.radius);
+  const double discriminant = a * (r * r - glm::dot(closest, closest));
+  if (discriminant < 0) return -1;
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  double t0 = q / a, t1 = q != 0 ? (glm::dot(o, o) - r * r) / q : t0;
+  if (t0 > t1) std::swap(t0, t1);
+  if (t0 > nearest && t0 < farthest) return static_cast<float>(t0);
+  if (t1 > nearest && t1 < farthest) return static_cast<float>(t1);
+  return -1;
+}
+
+void sphere_bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& s = *static_cast<const Sphere*>(args->geometryUserPtr);
+  const float r = s.radius * (1 + 1e-6f);
+  *args->bounds_o = {s.center.x - r, s.center.y - r, s.center.z - r, 0,
+                     s.center.x + r, s.center.y + r, s.center.z + r, 0};
+}
+
+template <class RayType>
+float sphere_distance(const Sphere& s, const RayType& ray) {
+  return intersect_sphere(s, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z},
+                          static_cast<double>(ray.tnear), static_cast<double>(ray.tfar));
+}
+
+void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
+  if (!args->valid[0]) return;
+  const auto& s = *static_cast<const Sphere*>(args->geometryUserPtr);
+  auto& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const float t = sphere_distance(s, rayhit.ray);
+  if (t < 0) return;
+  rayhit.ray.tfar = t;
+  rayhit.hit.geomID = args->geomID;
+  rayhit.hit.primID = 0;
+  rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+}
+
+void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
+  if (!args->valid[0]) return;
+  const auto& s = *static_cast<const Sphere*>(args->geometryUserPtr);
+  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+  if (sphere_distance(s, ray) >= 0) ray.tfar = -infinity;
+}
+
+RTCRay to_embree(const Ray& ray) {
+  RTCRay r{};
+  r.org_x = ray.origin.x;
+  r.org_y = ray.origin.y;
+  r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x;
+  r.dir_y = ray.direction.y;
+  r.dir_z = ray.direction.z;
+  r.tnear = 0;
+  r.tfar = ray.length;
+  r.mask = 0xffffffffu;
+  return r;
+}
+
+}  // namespace
+
+struct Geometry::Embree {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::vector<std::unique_ptr<std::variant<TriangleMesh, Sphere>>> shapes;
+
+  Embree() {
+    device = rtcNewDevice(nullptr);
+    if (!device) throw WorkError("Embree cannot start on this machine");
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+  }
+  ~Embree() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
+
+  std::uint32_t attach(RTCGeometry geometry) {
+    rtcCommitGeometry(geometry);
+    const unsigned id = rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    return id;
+  }
+};
+
+Geometry::Geometry() : embree_(std::make_unique<Embree>()) {}
+Geometry::~Geometry() = default;
+Geometry::Geometry(Geometry&&) noexcept = default;
+Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+
+std::uint32_t Geometry::add(TriangleMesh mesh) {
+  auto& stored = std::get<TriangleMesh>(
+      *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
+  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* positions = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), stored.positions.size()));
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), stored.triangles.size()));
+  if (!positions || !indices) throw WorkError("no memory for a mesh");
+  for (const auto& p : stored.positions)
+    for (int i = 0; i < 3; ++i) *positions++ = p[i];
+  for (const auto& t : stored.triangles)
+    for (const auto i : t) *indices++ = i;
+  return embree_->attach(geometry);
+}
+
+std::uint32_t Geometry::add(const Sphere& sphere) {
+  auto& stored = std::get<Sphere>(
+      *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(sphere)));
+  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserData(geometry, &stored);
+  rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
+  rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
+  return embree_->attach(geometry);
+}
+
+void Geometry::commit() {
+  rtcCommitScene(embree_->scene);
+  if (const RTCError error = rtcGetDeviceError(embree_->device); error != RTC_ERROR_NONE)
+    throw WorkError("Embree reports error " + std::to_string(error) + " in building the scene");
+  if (embree_->shapes.empty()) return;
+  RTCBounds b{};
+  rtcGetSceneBounds(embree_->scene, &b);
+  const Vec3 low(b.lower_x, b.lower_y, b.lower_z), high(b.upper_x, b.upper_y, b.upper_z);
+  center_ = 0.5f * (low + high);
+  radius_ = glm::length(high - center_);
+}
+
+bool Geometry::intersect(const Ray& ray, Hit& hit) const {
+  RTCRayHit query{};
+  query.ray = to_embree(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if MALUS_EMBREE_MAJOR >= 4
+  rtcIntersect1(embree_->scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(embree_->scene, &context, &query);
+#endif
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+
+  hit.distance = query.ray.tfar;
+  hit.shape = query.hit.geomID;
+  hit.primitive = query.hit.primID;
+  const auto& shape = *embree_->shapes[hit.shape];
+  if (const auto* s = std::get_if<Sphere>(&shape)) {
+    const Vec3 outward = glm::normalize(ray.origin + hit.distance * ray.direction - s->center);
+    hit.position = s->center + s->radius * outward;
+    hit.normal = hit.geometric_normal = s->flipped ? -outward : outward;
+    hit.parameter = {};
+    return true;
+  }
+  const auto& mesh = std::get<TriangleMesh>(shape);
+  const auto& t = mesh.triangles[hit.primitive];
+  const float u = query.hit.u, v = query.hit.v, w = 1 - u - v;
+  hit.parameter = {u, v};
+  const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+  hit.position = w * a + u * b + v * c;
+  hit.geometric_normal = glm::normalize(glm::cross(b - a, c - a));
+  hit.normal = hit.geometric_normal;
+  if (!mesh.normals.empty()) {
+    const Vec3 n = w * mesh.normals[t[0]] + u * mesh.normals[t[1]] + v * mesh.normals[t[2]];
+    const float length2 = glm::dot(n, n);
+    if (length2 > 1e-12f) hit.normal = n / std::sqrt(length2);
+    // Where a file's winding and its normals disagree, its normals say which side is the front.
+    if (glm::dot(hit.normal, hit.geometric_normal) < 0) hit.geometric_normal = -hit.geometric_normal;
+  }
+  return true;
+}
+
+bool Geometry::occluded(const Ray& ray) const {
+  RTCRay query = to_embree(ray);
+#if MALUS_EMBREE_MAJOR >= 4
+  rtcOccluded1(embree_->scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(embree_->scene, &context, &query);
+#endif
+  return query.tfar < 0;
+}
+
+Vec3 Geometry::tangent(const Hit& hit) const {
+  Vec3 along(0);
+  if (is_sphere(hit.shape)) {
+    const Sphere& s = sphere(hit.shape);
+    const Vec3 local = glm::transpose(s.rotation) * (hit.position - s.center);
+    along = s.rotation * Vec3(-local.y, local.x, 0);
+  } else {
+    const TriangleMesh& m = mesh(hit.shape);
+    const auto& t = m.triangles[hit.primitive];
+    if (!m.texcoords.empty()) {
+      const Vec3 e1 = m.positions[t[1]] - m.positions[t[0]], e2 = m.positions[t[2]] - m.positions[t[0]];
+      const Vec2 d1 = m.texcoords[t[1]] - m.texcoords[t[0]], d2 = m.texcoords[t[2]] - m.texcoords[t[0]];
+      const float determinant = d1.x * d2.y - d1.y * d2.x;
+      if (determinant != 0) along = (d2.y * e1 - d1.y * e2) / determinant;
+    }
+  }
+  along -= glm::dot(along, hit.normal) * hit.normal;
+  const float length2 = glm::dot(along, along);
+  return length2 > 0 ? along / std::sqrt(length2) : Basis(hit.normal).s;
+}
+
+bool Geometry::is_sphere(std::uint32_t shape) const {
+  return std::holds_alternative<Sphere>(*embree_->shapes[shape]);
+}
+const Sphere& Geometry::sphere(std::uint32_t shape) const {
+  return std::get<Sphere>(*embree_->shapes[shape]);
+}
+const TriangleMesh& Geometry::mesh(std::uint32_t shape) const {
+  return std::get<TriangleMesh>(*embree_->shapes[shape]);
+}
+std::size_t Geometry::shape_count() const { return embree_->shapes.size(); }
+std::size_t Geometry::triangle_count() const {
+  std::size_t count = 0;
+  for (const auto& shape : embree_->shapes)
+    if (const auto* m = std::get_if<TriangleMesh>(shape.get())) count += m->triangles.size();
+  return count;
+}
+
+}  // namespace renderer

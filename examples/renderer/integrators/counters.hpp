@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What an integrator counts on its way, for --stats.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <malus/form.hpp>
+
+namespace renderer {
+
+struct Counters {
+  std::uint64_t rays = 0, shadow_rays = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t non_finite = 0;  ///< samples that were NaN or infinite, and dropped
+  std::array<std::uint64_t, malus::mueller_forms> forms{};  ///< of scatterings along camera paths
+
+  Counters& operator+=(const Counters& c) {
+    rays += c.rays;
+    shadow_rays += c.shadow_rays;
+    samples += c.samples;
+    non_finite += c.non_finite;
+    for (std::size_t i = 0; i < forms.size(); ++i) forms[i] += c.forms[i];
+    return *this;
+  }
+};
+
+}  // namespace renderer

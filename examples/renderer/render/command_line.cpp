@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include <tbb/info.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <map>
+#include <new>
+#include <optional>
+#include <ostream>
+
+#include "../io/atomic_file.hpp"
+#include "../io/exr.hpp"
+#include "../scene/build.hpp"
+#include "../scene/xml_reader.hpp"
+#include "progress_bar.hpp"
+#include "statistics.hpp"
+
+namespace renderer {
+
+namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+/// The first signal asks for a stop; a second one kills, should the stop take too long.
+extern "C" void request_stop(int signal) {
+  stop_requested = true;
+  std::signal(signal, SIG_DFL);
+}
+
+struct Arguments {
+  std::string scene, output, integrator, mode = "auto", stokes_frame = "horizontal", stats;
+  std::string sampler = "independent";
+  std::vector<std::string> definitions;
+  std::optional<std::uint64_t> samples, seed;
+  double seconds = 0;
+  int threads = 0;
+};
+
+void add_options(CLI::App& app, Arguments& a) {
+  app.set_version_flag("--version", std::to_string(MALUS_VERSION_MAJOR) + "." +
+                                        std::to_string(MALUS_VERSION_MINOR) + "." +
+                                        std::to_string(MALUS_VERSION_PATCH));
+  app.add_option("scene", a.scene, "Scene in Mitsuba 3 XML")->required();
+  app.add_option("-o,--output", a.output, "OpenEXR file to write")->required();
+  app.add_option("--integrator", a.integrator, "path (default: the scene's)")
+      ->check(CLI::IsMember({"path", "volpath"}));
+  app.add_option("--mode", a.mode,
+                 "auto: follow polarisation if something in the scene polarises; or always "
+                 "(optimized) or never (unpolarized)")
+      ->check(CLI::IsMember({"auto", "unpolarized", "optimized"}))
+      ->capture_default_str();
+  auto* spp = app.add_option("--spp", a.samples, "Samples a pixel (default: the scene's)")
+                  ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+  app.add_option("--time", a.seconds, "Render for so many seconds instead")
+      ->check(CLI::Range(1e-3, 1e8))
+      ->excludes(spp);
+  app.add_option("--seed", a.seed, "Seed of the random numbers (default: the scene's)");
+  app.add_option("--threads", a.threads, "Threads (default: all processors)")->check(CLI::Range(1, 4096));
+  app.add_option("--sampler", a.sampler, "Random numbers")->check(CLI::IsMember({"independent"}));
+  app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
+      ->take_all()
+      ->expected(1)
+      ->type_name("NAME=VALUE");
+  app.add_option("--stokes-frame", a.stokes_frame,
+                 "Where S1 and S2 are measured from: the picture's horizontal, counter-clockwise, or up")
+      ->check(CLI::IsMember({"horizontal", "up"}))
+      ->capture_default_str();
+  app.add_option("--stats", a.stats, "JSON file of counts, rates and, of a radiancemeter, readings");
+}
+
+std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& texts) {
+  std::map<std::string, std::string> definitions;
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError("-D " + text + ": expected NAME=VALUE");
+    if (!definitions.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
+      throw InputError("-D " + text + ": \"" + text.substr(0, equals) + "\" is given twice");
+  }
+  return definitions;
+}
+
+Mode resolve_mode(const std::string& name, const Scene& scene) {
+  if (name == "unpolarized") return Mode::unpolarized;
+  return name == "optimized" || scene.polarizes ? Mode::optimized : Mode::unpolarized;
+}
+
+void add_metadata(Image& image, const Arguments& a, const Scene& scene, const RenderOptions& options,
+                  const Rendering& rendering) {
+  auto& m = image.metadata;
+  m["malus:version"] = std::to_string(MALUS_VERSION_MAJOR) + "." + std::to_string(MALUS_VERSION_MINOR) +
+                       "." + std::to_string(MALUS_VERSION_PATCH);
+  m["malus:stokes_frame"] = a.stokes_frame;
+  m["malus:stokes_convention"] =
+      a.stokes_frame == "horizontal"
+          ? "S1 > 0 horizontal, S2 > 0 at +45 degrees counter-clockwise, S3 > 0 right circular, seen "
+            "in the picture"
+          : "S1 > 0 vertical, S2 > 0 at +45 degrees counter-clockwise from vertical, S3 > 0 right "
+            "circular, seen in the picture";
+  m["malus:mode"] = options.mode == Mode::unpolarized ? "unpolarized" : "optimized";
+  m["malus:integrator"] = scene.integrator.name;
+  m["malus:samples_per_pixel"] = std::to_string(rendering.samples_per_pixel);
+  m["malus:seed"] = std::to_string(options.seed);
+}
+
+int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
+  const auto definitions = parse_definitions(a.definitions);
+  check_writable(a.output);
+  if (!a.stats.empty()) check_writable(a.stats);
+  Scene scene = build_scene(*read_scene(a.scene, definitions));
+  for (const std::string& warning : scene.warnings) err << "warning: " << warning << '\n';
+
+  RenderOptions options;
+  options.mode = resolve_mode(a.mode, scene);
+  options.samples_per_pixel =
+      a.samples.value_or(static_cast<std::uint64_t>(scene.samples_per_pixel));
+  options.seconds = a.seconds;
+  options.seed = a.seed.value_or(scene.seed);
+  options.threads = a.threads;
+
+  stop_requested = false;
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  const Rendering rendering = [&] {
+    ProgressBar bar;
+    return render(scene, options, stop_requested, [&](const Progress& p) { bar.show(p); });
+  }();
+
+  const StokesFrame frame = a.stokes_frame == "up" ? StokesFrame::up : StokesFrame::horizontal;
+  Image image = rendering.film.image(frame);
+  add_metadata(image, a, scene, options, rendering);
+  write_exr(a.output, image);
+  if (!a.stats.empty()) {
+    const int threads = a.threads > 0 ? a.threads : tbb::info::default_concurrency();
+    auto json = statistics(scene, options, rendering, frame, threads);
+    json["scene"] = a.scene;
+    write_file(a.stats, json.dump(2) + "\n");
+  }
+  if (rendering.counters.non_finite > 0)
+    err << "warning: " << rendering.counters.non_finite << " of " << rendering.counters.samples
+        << " samples were not finite and were dropped\n";
+  if (rendering.interrupted) {
+    err << "interrupted: wrote what there was, " << rendering.samples_per_pixel
+        << " samples a pixel and a part of the next\n";
+    return 130;
+  }
+  out << a.output << ": " << image.width << " x " << image.height << ", "
+      << rendering.samples_per_pixel << " samples a pixel, " << rendering.seconds << " s\n";
+  return 0;
+}
+
+}  // namespace
+
+int malus_render(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  CLI::App app("Renders a scene with polarised light.", "malus-render");
+  Arguments arguments;
+  add_options(app, arguments);
+  try {
+    app.parse(argc, argv);
+    return render_command(arguments, out, err);
+  } catch (const CLI::Success& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::ParseError& e) {
+    err << "malus-render: " << e.what() << '\n';
+    return 2;
+  } catch (const InputError& e) {
+    err << "malus-render: " << e.what() << '\n';
+    return 2;
+  } catch (const std::bad_alloc&) {
+    err << "malus-render: out of memory\n";
+    return 1;
+  } catch (const std::exception& e) {
+    err << "malus-render: " << e.what() << '\n';
+    return 1;
+  }
+}
+
+}  // namespace renderer

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "build.hpp"
+
+namespace renderer {
+
+void fail_unknown_plugin(const Object& object, std::initializer_list<std::string_view> known) {
+  std::string list;
+  for (const auto name : known) list += (list.empty() ? "" : ", ") + std::string(name);
+  object.fail("unknown " + object.element() + " type \"" + object.type() + "\"; known are " + list);
+}
+
+namespace {
+
+bool needs_tangent(const Bsdf* bsdf) {
+  return bsdf && (std::holds_alternative<LinearPolarizer>(bsdf->kind()) ||
+                  std::holds_alternative<LinearRetarder>(bsdf->kind()));
+}
+
+void build_shape(const Object& object, MaterialFactory& materials, Scene& scene) {
+  const std::uint32_t number = add_shape_geometry(object, scene.geometry, scene.warnings);
+  Shape shape;
+  shape.material = materials.make(object.only_child("bsdf"));
+  shape.needs_tangent = needs_tangent(shape.material.front) || needs_tangent(shape.material.back);
+  for (const Bsdf* bsdf : {shape.material.front, shape.material.back}) {
+    if (!bsdf) continue;
+    scene.has_sheets |= bsdf->is_sheet();
+    scene.polarizes |= bsdf->polarizes();
+  }
+  if (const auto emitter = object.only_child("emitter")) {
+    shape.light = static_cast<int>(scene.lights.size());
+    scene.lights.push_back(make_area_light(*emitter, scene.geometry, number));
+  }
+  object.reject_unknown();
+  scene.shapes.push_back(shape);
+}
+
+void build_lights(const Object& root, Scene& scene) {
+  for (const auto& emitter : root.children("emitter")) {
+    if (emitter->type() == "constant") {
+      if (scene.environment >= 0) emitter->fail("a scene has one environment at most");
+      scene.environment = static_cast<int>(scene.lights.size());
+    }
+    scene.lights.push_back(make_light(*emitter));
+  }
+}
+
+}  // namespace
+
+Scene build_scene(const Object& root) {
+  Scene scene;
+  MaterialFactory materials(scene.bsdfs);
+  // BSDFs that nothing refers to are checked all the same.
+  for (const auto& bsdf : root.children("bsdf")) materials.make(bsdf);
+  for (const auto& shape : root.children("shape")) build_shape(*shape, materials, scene);
+  build_lights(root, scene);
+
+  const auto sensors = root.children("sensor");
+  if (sensors.empty()) root.fail("the scene has no <sensor>");
+  if (sensors.size() > 1) sensors[1]->fail("a second <sensor>; a scene has one");
+  build_sensor(*sensors[0], scene);
+
+  const auto integrators = root.children("integrator");
+  if (integrators.size() > 1) integrators[1]->fail("a second <integrator>; a scene has one");
+  if (!integrators.empty()) build_integrator(*integrators[0], scene);
+
+  root.reject_unknown();
+  scene.geometry.commit();
+  return scene;
+}
+
+}  // namespace renderer

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "build.hpp"
+#include "mesh_reader.hpp"
+
+namespace renderer {
+
+namespace {
+
+/// Corners (±1, ±1, 0), normal +z, u along x and v along y.
+TriangleMesh unit_rectangle() {
+  TriangleMesh m;
+  m.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  m.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  m.triangles = {{0, 1, 2}, {2, 3, 0}};
+  return m;
+}
+
+/// Corners (±1, ±1, ±1), normals outwards, each face with its own u and v.
+TriangleMesh unit_cube() {
+  TriangleMesh m;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0f, 1.0f}) {
+      Vec3 n(0), u(0), v(0);
+      n[axis] = sign;
+      u[(axis + 1) % 3] = sign;
+      v[(axis + 2) % 3] = 1;
+      const auto first = static_cast<std::uint32_t>(m.positions.size());
+      for (const auto& [a, b] :
+           {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
+        m.positions.push_back(n + a * u + b * v);
+        m.texcoords.push_back({(a + 1) / 2, (b + 1) / 2});
+      }
+      m.triangles.push_back({first, first + 1, first + 2});
+      m.triangles.push_back({first + 2, first + 3, first});
+    }
+  return m;
+}
+
+void turn_inside_out(TriangleMesh& mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (auto& n : mesh.normals) n = -n;
+}
+
+/// `keep_front`: the front stays the front in a mirroring transform. (Mitsuba lets it turn where a
+/// mesh has no normals.)
+void apply_transform(TriangleMesh& mesh, const glm::dmat4& to_world, bool keep_front) {
+  for (auto& p : mesh.positions) p = transform_point(to_world, glm::dvec3(p));
+  for (auto& n : mesh.normals) n = transform_normal(to_world, glm::dvec3(n));
+  if (glm::determinant(glm::dmat3(to_world)) < 0 && (keep_front || !mesh.normals.empty()))
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+TriangleMesh read_mesh(const Object& o, std::vector<std::string>& warnings) {
+  const auto path = o.file("filename");
+  const bool face_normals = o.boolean("face_normals", false);
+  TriangleMesh mesh = o.type() == "obj"
+                          ? read_obj(path, o.boolean("flip_tex_coords", true), o.location())
+                          : read_ply(path, o.boolean("flip_tex_coords", false), o.location());
+  if (mesh.dropped > 0)
+    warnings.push_back(path.string() + ": left out " + std::to_string(mesh.dropped) +
+                       " triangles without an area");
+  if (face_normals)
+    mesh.normals.clear();
+  else if (mesh.normals.empty())
+    mesh.normals = vertex_normals(mesh);
+  return mesh;
+}
+
+Sphere make_sphere(const Object& o) {
+  const glm::dvec3 center = o.point("center", glm::dvec3(0));
+  const double radius = o.positive("radius", 1);
+  const glm::dmat4 to_world = o.transform("to_world");
+  const glm::dmat3 m(to_world);
+  const double scale = glm::length(m[0]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double expected = i == j ? scale * scale : 0;
+      if (std::abs(glm::dot(m[i], m[j]) - expected) > 1e-6 * scale * scale)
+        o.fail("to_world",
+               "a sphere can be moved, turned and scaled evenly, not sheared or stretched");
+    }
+  Sphere sphere;
+  sphere.center = transform_point(to_world, center);
+  sphere.radius = static_cast<float>(radius * scale);
+  sphere.rotation = glm::mat3(m / scale);
+  sphere.flipped = o.boolean("flip_normals", false);
+  return sphere;
+}
+
+}  // namespace
+
+std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
+                                 std::vector<std::string>& warnings) {
+  if (o.type() == "sphere") return geometry.add(make_sphere(o));
+
+  TriangleMesh mesh;
+  const bool from_file = o.type() == "obj" || o.type() == "ply";
+  if (o.type() == "rectangle")
+    mesh = unit_rectangle();
+  else if (o.type() == "cube")
+    mesh = unit_cube();
+  else if (from_file)
+    mesh = read_mesh(o, warnings);
+  else
+    fail_unknown_plugin(o, {"cube", "obj", "ply", "rectangle", "sphere"});
+
+  apply_transform(mesh, o.transform("to_world"), !from_file);
+  if (o.boolean("flip_normals", false)) turn_inside_out(mesh);
+  return geometry.add(std::move(mesh));
+}
+
+}  // namespace renderer
