@@ -14,8 +14,7 @@ namespace malus {
 
 /// Forms are those of the light that the row tells apart: `unpolarized` reads S0 alone and needs no
 /// frame.
-template <SpectralValue V, SideTag Side = incident, FrameType F = Frame<scalar_t<V>>,
-          StokesForm Form = detail::default_form<F, StokesForm>>
+template <SpectralValue V, SideTag Side, FrameType F, StokesForm Form>
 class Analyzer {
  public:
   using value_type = V;
@@ -92,12 +91,5 @@ class Analyzer {
   MALUS_NO_UNIQUE_ADDRESS detail::FrameSlot<F, 0, needs_frame(Form)> frame_;
   MALUS_NO_UNIQUE_ADDRESS detail::FormFlag<Form> flag_;
 };
-
-template <class Q>
-inline constexpr bool is_analyzer = false;
-template <class V, class Side, class F, StokesForm Form>
-inline constexpr bool is_analyzer<Analyzer<V, Side, F, Form>> = true;
-template <class Q>
-concept AnalyzerType = is_analyzer<Q>;
 
 }  // namespace malus

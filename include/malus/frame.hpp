@@ -157,24 +157,6 @@ class Frame {
 template <class Tag>
 struct StaticFrame {};
 
-namespace detail {
-template <class F>
-inline constexpr bool is_static_frame = false;
-template <class Tag>
-inline constexpr bool is_static_frame<StaticFrame<Tag>> = true;
-template <class F>
-inline constexpr bool is_runtime_frame = false;
-template <class T>
-inline constexpr bool is_runtime_frame<Frame<T>> = true;
-}  // namespace detail
-
-template <class F>
-concept StaticFrameType = detail::is_static_frame<F>;
-template <class F>
-concept RuntimeFrameType = detail::is_runtime_frame<F>;
-template <class F>
-concept FrameType = StaticFrameType<F> || RuntimeFrameType<F>;
-
 /// Frames that an operation may bring together: two run-time frames of one precision, or one and
 /// the same static frame.
 template <class F, class G>

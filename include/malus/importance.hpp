@@ -19,8 +19,7 @@
 
 namespace malus {
 
-template <SpectralValue V, SideTag Side = incident, FrameType F = Frame<scalar_t<V>>,
-          ImportanceForm Form = detail::default_form<F, ImportanceForm>>
+template <SpectralValue V, SideTag Side, FrameType F, ImportanceForm Form>
 class Importance {
   static consteval bool makes(ImportanceForm form) {
     return Form == form || Form == ImportanceForm::dynamic;
@@ -65,6 +64,14 @@ class Importance {
         frame);
   }
 
+  /// From GLM's matrices, one a channel: reading r weighs Stokes component c by matrix[c][r].
+  template <class T>
+  static constexpr Importance from_mat4(
+      const std::array<glm::mat<4, 4, T>, channel_count<V>>& matrix,
+      const F& frame = {}) requires(makes(ImportanceForm::full)) {
+    return from_rows(detail::gather_rows<V>(matrix), frame);
+  }
+
   template <ImportanceForm Other>
   requires(is_dynamic&& Other !=
            ImportanceForm::dynamic) constexpr Importance(const Importance<V, Side, F, Other>& w)
@@ -90,10 +97,7 @@ class Importance {
   /// One channel as GLM's matrix (columns), so that `to_mat4() * stokes.to_vec4()` are the
   /// readings.
   constexpr glm::mat<4, 4, scalar_type> to_mat4(std::size_t i = 0) const {
-    glm::mat<4, 4, scalar_type> matrix;
-    for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c) matrix[c][r] = channel((*this)(r, c), i);
-    return matrix;
+    return detail::to_glm_matrix<scalar_type>(i, *this);
   }
 
   /// The same measurements, of light expressed in another frame: [Wᵀ F G⁻¹, G].
@@ -133,12 +137,5 @@ class Importance {
   MALUS_NO_UNIQUE_ADDRESS detail::FrameSlot<F, 0, needs_frame(Form)> frame_;
   MALUS_NO_UNIQUE_ADDRESS detail::FormFlag<Form> flag_;
 };
-
-template <class Q>
-inline constexpr bool is_importance = false;
-template <class V, class Side, class F, ImportanceForm Form>
-inline constexpr bool is_importance<Importance<V, Side, F, Form>> = true;
-template <class Q>
-concept ImportanceType = is_importance<Q>;
 
 }  // namespace malus

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <malus/adjoint.hpp>
+#include <malus/analysis/decomposition.hpp>
 #include <malus/analysis/four_filters.hpp>
 #include <malus/analysis/physicality.hpp>
 #include <malus/analysis/polarization_state.hpp>
@@ -12,6 +13,7 @@
 #include <malus/equality.hpp>
 #include <malus/error.hpp>
 #include <malus/form.hpp>
+#include <malus/fwd.hpp>
 #include <malus/frame.hpp>
 #include <malus/importance.hpp>
 #include <malus/measurement.hpp>

@@ -9,6 +9,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <malus/detail/glm_conversion.hpp>
 #include <malus/spectrum.hpp>
 
 namespace malus {
@@ -50,6 +51,13 @@ class Measurement {
     return a.reading_ == b.reading_;
   }
 
+  /// From GLM's four readings, one vector a channel.
+  template <class T>
+  static constexpr Measurement from_vec4(const std::array<glm::vec<4, T>, channel_count<V>>& r) {
+    const auto value = detail::gather_vector<V>(r);
+    return {value[0], value[1], value[2], value[3]};
+  }
+
   /// One channel's readings, as GLM's vector.
   constexpr glm::vec<4, scalar_type> to_vec4(std::size_t i = 0) const {
     return {channel(reading_[0], i), channel(reading_[1], i), channel(reading_[2], i),
@@ -59,12 +67,5 @@ class Measurement {
  private:
   std::array<V, 4> reading_;
 };
-
-template <class Q>
-inline constexpr bool is_measurement = false;
-template <class V>
-inline constexpr bool is_measurement<Measurement<V>> = true;
-template <class Q>
-concept MeasurementType = is_measurement<Q>;
 
 }  // namespace malus

@@ -19,9 +19,7 @@
 
 namespace malus {
 
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI,
-          MuellerForm Form = detail::default_form<FI, MuellerForm>>
+template <SpectralValue V, SideTag In, SideTag Out, FrameType FI, FrameType FO, MuellerForm Form>
 class Mueller {
   static consteval bool makes(MuellerForm form) {
     return Form == form || Form == MuellerForm::dynamic;
@@ -99,16 +97,21 @@ class Mueller {
                                                                   StaticFrameType<FO>) {
     return from_rows(m, FI{}, FO{});
   }
-  /// From GLM's matrix, whose operator[] is a column: component (r, c) is matrix[c][r].
+  /// From GLM's matrices, one a channel. Their operator[] is a column: component (r, c) is
+  /// matrix[c][r].
+  template <class T>
+  static constexpr Mueller from_mat4(const std::array<glm::mat<4, 4, T>, channel_count<V>>& matrix,
+                                     const FI& enter = {},
+                                     const FO& exit = {}) requires(makes(MuellerForm::full)) {
+    return from_rows(detail::gather_rows<V>(matrix), enter, exit);
+  }
+  /// The same matrix in every channel.
   template <class T>
   static constexpr Mueller from_mat4(const glm::mat<4, 4, T>& matrix, const FI& enter = {},
                                      const FO& exit = {}) requires(makes(MuellerForm::full)) {
-    rows_type rows;
-    for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c)
-        rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
-            V(static_cast<scalar_type>(matrix[c][r]));
-    return from_rows(rows, enter, exit);
+    std::array<glm::mat<4, 4, T>, channel_count<V>> same;
+    same.fill(matrix);
+    return from_mat4(same, enter, exit);
   }
 
   /// The same matrix as a flagged one.
@@ -147,10 +150,7 @@ class Mueller {
 
   /// One channel as GLM's matrix (columns), so that `to_mat4() * stokes.to_vec4()` is the product.
   constexpr glm::mat<4, 4, scalar_type> to_mat4(std::size_t i = 0) const {
-    glm::mat<4, 4, scalar_type> matrix;
-    for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c) matrix[c][r] = channel((*this)(r, c), i);
-    return matrix;
+    return detail::to_glm_matrix<scalar_type>(i, *this);
   }
 
   /// The same matrix in other frames of the same directions: [G_o F_o⁻¹ M F_i G_i⁻¹, G_i, G_o].
@@ -177,35 +177,6 @@ class Mueller {
   MALUS_NO_UNIQUE_ADDRESS detail::FrameSlot<FO, 1, needs_exit_frame(Form)> exit_;
   MALUS_NO_UNIQUE_ADDRESS detail::FormFlag<Form> flag_;
 };
-
-/// A matrix whose form is known at compile time: as PlainMueller, DepolarizingMueller,
-/// BlockMueller.
-template <MuellerForm Form, SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using MuellerOf = Mueller<V, In, Out, FI, FO, Form>;
-
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using PlainMueller = Mueller<V, In, Out, FI, FO, MuellerForm::plain>;
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using PartialMueller = Mueller<V, In, Out, FI, FO, MuellerForm::partial>;
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using DepolarizingMueller = Mueller<V, In, Out, FI, FO, MuellerForm::depolarizing>;
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using BlockMueller = Mueller<V, In, Out, FI, FO, MuellerForm::block>;
-template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
-          FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
-using FullMueller = Mueller<V, In, Out, FI, FO, MuellerForm::full>;
-
-template <class Q>
-inline constexpr bool is_mueller = false;
-template <class V, class In, class Out, class FI, class FO, MuellerForm Form>
-inline constexpr bool is_mueller<Mueller<V, In, Out, FI, FO, Form>> = true;
-template <class Q>
-concept MuellerType = is_mueller<Q>;
 
 template <SpectralValue V, SideTag In, SideTag Out, FrameType FI, FrameType FO, MuellerForm Form>
 constexpr auto Mueller<V, In, Out, FI, FO, Form>::expressed_in(const FI& enter,

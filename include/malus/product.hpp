@@ -367,30 +367,46 @@ MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) { return q = q * k; }
 // ---- what does not compile, and why
 // -----------------------------------------------------------------------------------
 
-template <detail::Acts A, detail::Brings B>
-requires(!detail::SameValue<A, B>) error::value_types_differ operator*(const A&, const B&) = delete;
+namespace detail {
+template <class A, class B>
+concept ActsBefore = Acts<A> && Brings<B>;
+template <class A, class B>
+concept SidesMiss = ActsBefore<A, B> && SameValue<A, B> && !SidesMeet<A, B>;
+template <class A, class B>
+concept FramesMiss = ActsBefore<A, B> && SameValue<A, B> && SidesMeet<A, B> && !FramesMeet<A, B>;
+template <class A, class B>
+concept ExpectsArriving = SidesMiss<A, B> && std::same_as<typename Spaces<A>::in_side, incident>;
+template <class A, class B>
+concept ExpectsLeaving = SidesMiss<A, B> && std::same_as<typename Spaces<A>::in_side, exitant>;
+template <class A, class B>
+concept ReadingInProduct = (MeasurementType<A> && (Scalable<B> || MeasurementType<B>)) ||
+                           (MeasurementType<B> && Scalable<A>);
+}  // namespace detail
 
+// Compilers quote the line with the operator's name: the reason stays on it.
+// clang-format off
 template <detail::Acts A, detail::Brings B>
-requires(detail::SameValue<A, B> && !detail::SidesMeet<A, B> &&
-         std::same_as<typename detail::Spaces<A>::in_side, incident>) error::call_propagate_first
-operator*(const A&, const B&) = delete;
+  requires(!detail::SameValue<A, B>)
+error::value_types_differ operator*(const A&, const B&) = delete;
 
-template <detail::Acts A, detail::Brings B>
-requires(detail::SameValue<A, B> && !detail::SidesMeet<A, B> &&
-         std::same_as<typename detail::Spaces<A>::in_side, exitant>) error::already_propagated
-operator*(const A&, const B&) = delete;
+template <class A, class B>
+  requires detail::ExpectsArriving<A, B>
+error::call_propagate_first operator*(const A&, const B&) = delete;
 
-template <detail::Acts A, detail::Brings B>
-requires(detail::SameValue<A, B>&& detail::SidesMeet<A, B> &&
-         !detail::FramesMeet<A, B>) error::frames_differ
-operator*(const A&, const B&) = delete;
+template <class A, class B>
+  requires detail::ExpectsLeaving<A, B>
+error::already_propagated operator*(const A&, const B&) = delete;
+
+template <class A, class B>
+  requires detail::FramesMiss<A, B>
+error::frames_differ operator*(const A&, const B&) = delete;
 
 template <StokesType A, MuellerType B>
 error::mueller_goes_on_the_left operator*(const A&, const B&) = delete;
 
 template <class A, detail::Measures B>
-requires(MuellerType<A> || StokesType<A>) error::importance_goes_on_the_left operator*(
-    const A&, const B&) = delete;
+  requires(MuellerType<A> || StokesType<A>)
+error::importance_goes_on_the_left operator*(const A&, const B&) = delete;
 
 template <StokesType A, StokesType B>
 error::use_inner_product operator*(const A&, const B&) = delete;
@@ -399,8 +415,8 @@ template <detail::Measures A, detail::Measures B>
 error::importance_measures_light_only operator*(const A&, const B&) = delete;
 
 template <class A, class B>
-requires((MeasurementType<A> && (detail::Scalable<B> || MeasurementType<B>)) ||
-         (MeasurementType<B> && detail::Scalable<A>)) error::measurement_has_no_frame
-operator*(const A&, const B&) = delete;
+  requires detail::ReadingInProduct<A, B>
+error::measurement_has_no_frame operator*(const A&, const B&) = delete;
+// clang-format on
 
 }  // namespace malus

@@ -19,10 +19,10 @@ MALUS_INLINE constexpr To retag(const From& from) {
     Access::values(to)[i] = Access::values(from)[i];
   Access::flag(to) = Access::flag(from);
   if constexpr (MuellerType<From>) {
-    Access::enter(to) = Access::enter(from);
-    Access::exit(to) = Access::exit(from);
+    copy_frame(Access::enter(to), Access::enter(from));
+    copy_frame(Access::exit(to), Access::exit(from));
   } else {
-    Access::frame(to) = Access::frame(from);
+    copy_frame(Access::frame(to), Access::frame(from));
   }
   return to;
 }

@@ -16,6 +16,7 @@
 #include <type_traits>
 
 #include <malus/config.hpp>
+#include <malus/fwd.hpp>
 
 namespace malus {
 
@@ -144,37 +145,7 @@ requires(N >= 1) class Spectrum {
   detail::Lanes<T> group_[groups];
 };
 
-using Rgb = Spectrum<float, 3>;
-
 // ---- one vocabulary for a scalar and a Spectrum
-// -----------------------------------------------------------------
-
-namespace detail {
-template <class V>
-struct ValueTraits;
-template <std::floating_point T>
-struct ValueTraits<T> {
-  using scalar = T;
-  static constexpr std::size_t channels = 1;
-};
-template <class T, std::size_t N>
-struct ValueTraits<Spectrum<T, N>> {
-  using scalar = T;
-  static constexpr std::size_t channels = N;
-};
-}  // namespace detail
-
-/// What a component may hold: float, double, or a Spectrum of them.
-template <class V>
-concept SpectralValue = requires {
-  typename detail::ValueTraits<V>::scalar;
-};
-
-template <SpectralValue V>
-using scalar_t = typename detail::ValueTraits<V>::scalar;
-
-template <SpectralValue V>
-inline constexpr std::size_t channel_count = detail::ValueTraits<V>::channels;
 
 /// Channel i of a value; a plain scalar has the one channel 0.
 template <SpectralValue V>

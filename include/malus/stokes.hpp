@@ -13,6 +13,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <malus/detail/glm_conversion.hpp>
 #include <malus/form.hpp>
 #include <malus/frame.hpp>
 #include <malus/side.hpp>
@@ -62,15 +63,9 @@ struct FrameSlot<F, Which, true> {
   constexpr const F& get() const { return frame; }
 };
 
-/// Static frames are the optical bench's, where everything is known at compile time; run-time
-/// frames a renderer's.
-template <class F, class Form>
-inline constexpr Form default_form = is_static_frame<F> ? Form::full : Form::dynamic;
-
 }  // namespace detail
 
-template <SpectralValue V, SideTag Side = exitant, FrameType F = Frame<scalar_t<V>>,
-          StokesForm Form = detail::default_form<F, StokesForm>>
+template <SpectralValue V, SideTag Side, FrameType F, StokesForm Form>
 class Stokes {
  public:
   using value_type = V;
@@ -114,11 +109,22 @@ class Stokes {
     if constexpr (needs_frame(Other)) frame_ = decltype(frame_)(s.frame());
   }
 
-  /// From one channel a vector, GLM's (S0, S1, S2, S3).
+  /// From GLM's (S0, S1, S2, S3), one vector a channel.
   template <class T>
-  static constexpr Stokes from_vec4(const glm::vec<4, T>& s, const F& frame = {}) {
-    return {V(static_cast<scalar_type>(s.x)), V(static_cast<scalar_type>(s.y)),
-            V(static_cast<scalar_type>(s.z)), V(static_cast<scalar_type>(s.w)), frame};
+  static constexpr Stokes from_vec4(const std::array<glm::vec<4, T>, channel_count<V>>& s,
+                                    const F& frame = {}) requires(Form == StokesForm::full ||
+                                                                  is_dynamic) {
+    const auto value = detail::gather_vector<V>(s);
+    return {value[0], value[1], value[2], value[3], frame};
+  }
+  /// The same vector in every channel.
+  template <class T>
+  static constexpr Stokes from_vec4(const glm::vec<4, T>& s,
+                                    const F& frame = {}) requires(Form == StokesForm::full ||
+                                                                  is_dynamic) {
+    std::array<glm::vec<4, T>, channel_count<V>> same;
+    same.fill(s);
+    return from_vec4(same, frame);
   }
 
   constexpr StokesForm form() const { return flag_.value(); }
@@ -175,16 +181,5 @@ class Stokes {
   MALUS_NO_UNIQUE_ADDRESS detail::FrameSlot<F, 0, needs_frame(Form)> frame_;
   MALUS_NO_UNIQUE_ADDRESS detail::FormFlag<Form> flag_;
 };
-
-/// Unpolarised light as a type: one value, no frame.
-template <SpectralValue V, SideTag Side = exitant, FrameType F = Frame<scalar_t<V>>>
-using UnpolarizedStokes = Stokes<V, Side, F, StokesForm::unpolarized>;
-
-template <class Q>
-inline constexpr bool is_stokes = false;
-template <class V, class Side, class F, StokesForm Form>
-inline constexpr bool is_stokes<Stokes<V, Side, F, Form>> = true;
-template <class Q>
-concept StokesType = is_stokes<Q>;
 
 }  // namespace malus

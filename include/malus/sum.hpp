@@ -251,33 +251,42 @@ concept ReadingAndQuantity = (MeasurementType<A> && Scalable<B>) ||
                              (MeasurementType<B> && Scalable<A>);
 }  // namespace detail
 
+// Compilers quote the line with the operator's name: the reason stays on it.
+// clang-format off
 template <class A, class B>
-requires detail::ValuesDiffer<A, B> error::value_types_differ operator+(const A&,
-                                                                        const B&) = delete;
+  requires detail::ValuesDiffer<A, B>
+error::value_types_differ operator+(const A&, const B&) = delete;
 template <class A, class B>
-requires detail::ValuesDiffer<A, B> error::value_types_differ operator+=(const A&,
-                                                                         const B&) = delete;
+  requires detail::ValuesDiffer<A, B>
+error::value_types_differ operator+=(const A&, const B&) = delete;
 
 template <class A, class B>
-requires detail::SidesDiffer<A, B> error::sides_differ operator+(const A&, const B&) = delete;
+  requires detail::SidesDiffer<A, B>
+error::sides_differ operator+(const A&, const B&) = delete;
 template <class A, class B>
-requires detail::SidesDiffer<A, B> error::sides_differ operator+=(const A&, const B&) = delete;
+  requires detail::SidesDiffer<A, B>
+error::sides_differ operator+=(const A&, const B&) = delete;
 
 template <class A, class B>
-requires detail::FramesDiffer<A, B> error::frames_differ operator+(const A&, const B&) = delete;
+  requires detail::FramesDiffer<A, B>
+error::frames_differ operator+(const A&, const B&) = delete;
 template <class A, class B>
-requires detail::FramesDiffer<A, B> error::frames_differ operator+=(const A&, const B&) = delete;
+  requires detail::FramesDiffer<A, B>
+error::frames_differ operator+=(const A&, const B&) = delete;
 
 template <class A, class B>
-requires detail::KindsDiffer<A, B> error::kinds_differ operator+(const A&, const B&) = delete;
+  requires detail::KindsDiffer<A, B>
+error::kinds_differ operator+(const A&, const B&) = delete;
 template <class A, class B>
-requires detail::KindsDiffer<A, B> error::kinds_differ operator+=(const A&, const B&) = delete;
+  requires detail::KindsDiffer<A, B>
+error::kinds_differ operator+=(const A&, const B&) = delete;
 
 template <class A, class B>
-requires detail::ReadingAndQuantity<A, B> error::measurement_has_no_frame operator+(
-    const A&, const B&) = delete;
+  requires detail::ReadingAndQuantity<A, B>
+error::measurement_has_no_frame operator+(const A&, const B&) = delete;
 template <class A, class B>
-requires detail::ReadingAndQuantity<A, B> error::measurement_has_no_frame operator+=(
-    const A&, const B&) = delete;
+  requires detail::ReadingAndQuantity<A, B>
+error::measurement_has_no_frame operator+=(const A&, const B&) = delete;
+// clang-format on
 
 }  // namespace malus
