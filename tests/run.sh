@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Installs what is missing, builds everything and runs every test, in these stages, any of which can be asked for alone
+# (`tests/run.sh asan format`):
+#   release  everything with the system's compiler, optimised: all tests, compile-fail and package tests among them
+#   clang    everything with Clang 16, unoptimised, and the library's tests with it
+#   asan     the tests under the address and undefined behaviour sanitizers
+#   format   clang-format finds nothing to change
+#   tidy     clang-tidy finds nothing to object to
+# Every CTest entry counts as one test, and so does each stage's build. The last line is the sum of them.
+set -uo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 2
+
+stages=("$@")
+((${#stages[@]})) || stages=(release clang asan format tidy)
+for stage in "${stages[@]}"; do
+  case $stage in
+    release | clang | asan | format | tidy) ;;
+    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, format and tidy" >&2; exit 2 ;;
+  esac
+done
+
+source cmake/dependencies.sh
+require_dependencies compiler cmake ninja pkg-config glm embree openexr tbb pugixml cli11 json tinyobjloader png \
+  doctest rapidcheck benchmark clang clang-tidy clang-format
+
+jobs=$(nproc)
+passed=0 failed=0 skipped=0
+failures=()
+
+# check NAME COMMAND...: the command is one test.
+check() {
+  local name=$1
+  shift
+  if "$@" </dev/null; then
+    ((passed += 1))
+  else
+    echo "FAILED: $name"
+    ((failed += 1))
+    failures+=("$name")
+    return 1
+  fi
+}
+
+build() {
+  local preset=$1
+  shift
+  cmake --preset "$preset" "$@" && cmake --build --preset "$preset" --parallel "$jobs" -- -k 0
+}
+
+# run_ctest PRESET [ARGUMENTS...]: every entry is one test.
+run_ctest() {
+  local preset=$1 report status attributes total failures_here skipped_here
+  shift
+  report=$PWD/build/$preset/tests.xml
+  rm -f "$report"
+  ctest --preset "$preset" --parallel "$jobs" --output-junit "$report" "$@" </dev/null
+  status=$?
+  attributes=$(tr '\n' ' ' <"$report" 2>/dev/null | grep -o '<testsuite [^>]*>' | head -n 1)
+  total=$(attribute tests) failures_here=$(attribute failures) skipped_here=$(($(attribute skipped) + $(attribute disabled)))
+  ((passed += total - failures_here - skipped_here, failed += failures_here, skipped += skipped_here))
+  ((failures_here == 0)) || failures+=("$preset: $failures_here CTest entries")
+  if ((total == 0 || (status != 0 && failures_here == 0))); then
+    ((failed += 1))
+    failures+=("$preset: CTest itself (status $status, $total entries)")
+  fi
+}
+
+attribute() {
+  local value
+  value=$(sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p" <<<"$attributes")
+  echo "${value:-0}"
+}
+
+# The benchmarks are compiled, unoptimised, in the clang stage alone: they take longer than all the rest.
+stage_release() {
+  check "release: build" build release -DMALUS_BUILD_BENCHMARKS=OFF && run_ctest release
+}
+
+stage_clang() {
+  check "clang: build" build clang &&
+    run_ctest clang --label-exclude 'package|compile_fail' --exclude-regex '^renderer_tests:'
+}
+
+stage_asan() {
+  check "asan: build" build asan -DMALUS_BUILD_BENCHMARKS=OFF &&
+    run_ctest asan --label-exclude 'package|compile_fail'
+}
+
+own_sources() {
+  find include tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) -print0
+}
+
+stage_format() {
+  check "format" format_is_clean
+}
+format_is_clean() {
+  own_sources | xargs -0 clang-format-14 --dry-run --Werror
+}
+
+stage_tidy() {
+  check "tidy" tidy_is_clean
+}
+tidy_is_clean() {
+  clang-tidy-16 --quiet tests/headers/main.cpp examples/optical_bench.cpp -- -std=c++20 -Iinclude
+}
+
+for stage in "${stages[@]}"; do
+  started=$SECONDS
+  echo
+  echo "--- $stage"
+  "stage_$stage"
+  echo "--- $stage: $((SECONDS - started)) s"
+done
+
+echo
+for failure in ${failures[@]+"${failures[@]}"}; do
+  echo "FAILED: $failure"
+done
+summary="$passed passed, $failed failed"
+((skipped == 0)) || summary+=", $skipped skipped"
+echo "$summary"
+((failed == 0))
