@@ -25,7 +25,7 @@ dependency() {
     benchmark) echo "header:benchmark/benchmark.h libbenchmark-dev" ;;
     clang) echo "command:clang++-16 clang-16" ;;
     clang-tidy) echo "command:clang-tidy-16 clang-tidy-16" ;;
-    clang-format) echo "command:clang-format-14 clang-format-14" ;;
+    clang-format) echo "command:clang-format-16 clang-format-16" ;;
     *) echo "dependencies.sh: nothing is known of '$1'" >&2; exit 2 ;;
   esac
 }

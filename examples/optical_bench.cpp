@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An optical bench: the elements stand on one axis, so that one static frame serves them all, and a wrong order, a missing
-// propagation or another frame would not compile. Prints Malus's law, and the paper's equation 1 and its inverse.
+// An optical bench: the elements stand on one axis, so that one static frame serves them all, and a
+// wrong order, a missing propagation or another frame would not compile. Prints Malus's law, and
+// the paper's equation 1 and its inverse.
 #include <cmath>
 #include <cstdio>
 #include <malus/malus.hpp>
@@ -34,8 +35,8 @@ void equation_1(const OnBench& bench) {
   std::printf("\nEquation 1: readings %.4f %.4f %.4f %.4f\n", reading[0], reading[1], reading[2],
               reading[3]);
   std::printf("  light sent   %.4f %.4f %.4f %.4f\n", light[0], light[1], light[2], light[3]);
-  std::printf("  light found  %.4f %.4f %.4f %.4f, DoP %.4f\n", found[0], found[1], found[2], found[3],
-              degree_of_polarization(found));
+  std::printf("  light found  %.4f %.4f %.4f %.4f, DoP %.4f\n", found[0], found[1], found[2],
+              found[3], degree_of_polarization(found));
 }
 
 int main() {

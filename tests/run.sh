@@ -96,7 +96,7 @@ stage_format() {
   check "format" format_is_clean
 }
 format_is_clean() {
-  own_sources | xargs -0 clang-format-14 --dry-run --Werror
+  own_sources | xargs -0 clang-format-16 --dry-run --Werror
 }
 
 stage_tidy() {

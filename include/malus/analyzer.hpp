@@ -30,18 +30,18 @@ class Analyzer {
   }
 
   /// The reading w0 S0 + w1 S1 + w2 S2 + w3 S3 of light expressed in `frame`.
-  constexpr Analyzer(const V& w0, const V& w1, const V& w2, const V& w3,
-                     const F& frame) requires(Form == StokesForm::full || is_dynamic)
+  constexpr Analyzer(const V& w0, const V& w1, const V& w2, const V& w3, const F& frame)
+    requires(Form == StokesForm::full || is_dynamic)
       : value_{w0, w1, w2, w3}, frame_(frame), flag_(StokesForm::full) {}
-  constexpr Analyzer(const V& w0, const V& w1, const V& w2,
-                     const V& w3) requires(Form == StokesForm::full && StaticFrameType<F>)
+  constexpr Analyzer(const V& w0, const V& w1, const V& w2, const V& w3)
+    requires(Form == StokesForm::full && StaticFrameType<F>)
       : Analyzer(w0, w1, w2, w3, F{}) {}
 
   /// w·e0ᵀ: reads the intensity, whatever the polarisation.
-  static constexpr Analyzer intensity(const V& w) requires(Form == StokesForm::unpolarized ||
-                                                           is_dynamic ||
-                                                           (Form == StokesForm::full &&
-                                                            StaticFrameType<F>)) {
+  static constexpr Analyzer intensity(const V& w)
+    requires(Form == StokesForm::unpolarized || is_dynamic ||
+             (Form == StokesForm::full && StaticFrameType<F>))
+  {
     Analyzer a;
     a.value_[0] = w;
     if constexpr (is_dynamic) a.flag_ = detail::FormFlag<Form>(StokesForm::unpolarized);
@@ -49,9 +49,8 @@ class Analyzer {
   }
 
   template <StokesForm Other>
-  requires(is_dynamic&& Other !=
-           StokesForm::dynamic) constexpr Analyzer(const Analyzer<V, Side, F, Other>& w)
-      : flag_(Other) {  // NOLINT: widening
+    requires(is_dynamic && Other != StokesForm::dynamic)
+  constexpr Analyzer(const Analyzer<V, Side, F, Other>& w) : flag_(Other) {  // NOLINT: widening
     for (std::size_t i = 0; i < value_count(Other); ++i) value_[i] = detail::Access::values(w)[i];
     if constexpr (needs_frame(Other)) frame_ = decltype(frame_)(w.frame());
   }
@@ -59,7 +58,9 @@ class Analyzer {
   constexpr StokesForm form() const { return flag_.value(); }
 
   /// The frame of the light that is read. Only the form full has one.
-  constexpr decltype(auto) frame() const requires(needs_frame(Form)) {
+  constexpr decltype(auto) frame() const
+    requires(needs_frame(Form))
+  {
     assert(needs_frame(form()));
     return frame_.get();
   }

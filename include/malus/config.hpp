@@ -34,8 +34,8 @@
 
 namespace malus {
 
-/// What the handler is told: the axes of the frame that an operand is in and of the one that it had to
-/// be expressed in, and the operation that met them.
+/// What the handler is told: the axes of the frame that an operand is in and of the one that it had
+/// to be expressed in, and the operation that met them.
 struct FrameMismatch {
   double from_x[3], from_y[3];
   double to_x[3], to_y[3];

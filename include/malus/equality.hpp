@@ -41,7 +41,7 @@ constexpr void write_components(const Q& q, typename Q::value_type* out) {
 /// True when a and b differ in no component, expressed in the same frames, by more than `tolerance`
 /// times the largest component of both. Never true where a component is NaN or infinite.
 template <class A, class B>
-requires Summable<A, B>
+  requires Summable<A, B>
 constexpr bool is_close(const A& a, const B& b, typename A::scalar_type tolerance) {
   using V = typename A::value_type;
   using T = typename A::scalar_type;
@@ -60,7 +60,7 @@ constexpr bool is_close(const A& a, const B& b, typename A::scalar_type toleranc
 /// Equality modulo frame. Exact where no rotation is needed; where one is, to a few roundings of
 /// its arithmetic.
 template <class A, class B>
-requires Summable<A, B>
+  requires Summable<A, B>
 constexpr bool operator==(const A& a, const B& b) {
   using T = typename A::scalar_type;
   return is_close(a, b, 16 * std::numeric_limits<T>::epsilon());

@@ -51,9 +51,7 @@ glm::vec<3, T> to_vec3(const U& u) {
 
 /// A vector of three numbers: members x, y, z, or functions of those names, or operator[].
 template <class U>
-concept Vector3 = detail::HasXyz<U> || detail::HasXyzFunctions<U> || requires(const U& u) {
-  u[2];
-};
+concept Vector3 = detail::HasXyz<U> || detail::HasXyzFunctions<U> || requires(const U& u) { u[2]; };
 
 /// The rotation R(φ) of a frame by φ, counter-clockwise in the receiver's view (paper,
 /// section 3.1): rows (cos 2φ, sin 2φ) and (−sin 2φ, cos 2φ) on (S1, S2).
@@ -69,8 +67,8 @@ struct Rotation {
   constexpr Rotation inverse() const { return {cos2, -sin2}; }
 
   /// True for multiples of a quarter turn, which map mirror-symmetric matrices to mirror-symmetric
-  /// ones. To rounding: a frame's axes are orthogonal to rounding only, so that even between a frame
-  /// and itself sin2 is seldom 0.
+  /// ones. To rounding: a frame's axes are orthogonal to rounding only, so that even between a
+  /// frame and itself sin2 is seldom 0.
   constexpr bool is_quarter_turns() const {
     constexpr T rounding = 8 * std::numeric_limits<T>::epsilon();
     return -rounding <= sin2 && sin2 <= rounding;

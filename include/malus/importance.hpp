@@ -42,21 +42,24 @@ class Importance {
 
   /// w·Id: reads the four Stokes components in `frame`, each times w (the paper's "choice of
   /// importance").
-  static constexpr Importance plain(const V& w,
-                                    const F& frame) requires(makes(ImportanceForm::plain)) {
+  static constexpr Importance plain(const V& w, const F& frame)
+    requires(makes(ImportanceForm::plain))
+  {
     return Importance(ImportanceForm::plain, std::array<V, 1>{w}, frame);
   }
   /// Four measurements that see S0 alone: W's first column.
-  static constexpr Importance depolarizing(const std::array<V, 4>& column) requires(
-      makes(ImportanceForm::depolarizing)) {
+  static constexpr Importance depolarizing(const std::array<V, 4>& column)
+    requires(makes(ImportanceForm::depolarizing))
+  {
     Importance w;
     for (std::size_t i = 0; i < 4; ++i) w.value_[i] = column[i];
     w.flag_ = decltype(w.flag_)(ImportanceForm::depolarizing);
     return w;
   }
   /// Any four rows, each a filter in `frame`.
-  static constexpr Importance from_rows(const rows_type& m,
-                                        const F& frame) requires(makes(ImportanceForm::full)) {
+  static constexpr Importance from_rows(const rows_type& m, const F& frame)
+    requires(makes(ImportanceForm::full))
+  {
     return Importance(
         ImportanceForm::full,
         std::array<V, 16>{m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
@@ -67,15 +70,15 @@ class Importance {
   /// From GLM's matrices, one a channel: reading r weighs Stokes component c by matrix[c][r].
   template <class T>
   static constexpr Importance from_mat4(
-      const std::array<glm::mat<4, 4, T>, channel_count<V>>& matrix,
-      const F& frame = {}) requires(makes(ImportanceForm::full)) {
+      const std::array<glm::mat<4, 4, T>, channel_count<V>>& matrix, const F& frame = {})
+    requires(makes(ImportanceForm::full))
+  {
     return from_rows(detail::gather_rows<V>(matrix), frame);
   }
 
   template <ImportanceForm Other>
-  requires(is_dynamic&& Other !=
-           ImportanceForm::dynamic) constexpr Importance(const Importance<V, Side, F, Other>& w)
-      : flag_(Other) {  // NOLINT: widening
+    requires(is_dynamic && Other != ImportanceForm::dynamic)
+  constexpr Importance(const Importance<V, Side, F, Other>& w) : flag_(Other) {  // NOLINT: widening
     for (std::size_t i = 0; i < value_count(Other); ++i) value_[i] = w.value_[i];
     if constexpr (needs_frame(Other)) frame_ = decltype(frame_)(w.frame());
   }
@@ -83,7 +86,9 @@ class Importance {
   constexpr ImportanceForm form() const { return flag_.value(); }
 
   /// The frame of the light that is measured. Only plain and full importance has one.
-  constexpr decltype(auto) frame() const requires(needs_frame(Form)) {
+  constexpr decltype(auto) frame() const
+    requires(needs_frame(Form))
+  {
     assert(needs_frame(form()));
     return frame_.get();
   }

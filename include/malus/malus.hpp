@@ -13,8 +13,8 @@
 #include <malus/equality.hpp>
 #include <malus/error.hpp>
 #include <malus/form.hpp>
-#include <malus/fwd.hpp>
 #include <malus/frame.hpp>
+#include <malus/fwd.hpp>
 #include <malus/importance.hpp>
 #include <malus/measurement.hpp>
 #include <malus/mueller.hpp>
@@ -25,6 +25,7 @@
 #include <malus/optics/polarizer.hpp>
 #include <malus/optics/retarder.hpp>
 #include <malus/optics/rotator.hpp>
+#include <malus/optics/turned.hpp>
 #include <malus/path_sweep.hpp>
 #include <malus/product.hpp>
 #include <malus/propagate.hpp>

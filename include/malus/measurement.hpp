@@ -39,12 +39,14 @@ class Measurement {
   friend constexpr Measurement operator+(Measurement a, const Measurement& b) { return a += b; }
   friend constexpr Measurement operator*(Measurement m, const V& k) { return m *= k; }
   friend constexpr Measurement operator*(const V& k, Measurement m) { return m *= k; }
-  friend constexpr Measurement operator*(Measurement m,
-                                         scalar_type k) requires(!std::same_as<scalar_type, V>) {
+  friend constexpr Measurement operator*(Measurement m, scalar_type k)
+    requires(!std::same_as<scalar_type, V>)
+  {
     return m *= V(k);
   }
-  friend constexpr Measurement operator*(scalar_type k,
-                                         Measurement m) requires(!std::same_as<scalar_type, V>) {
+  friend constexpr Measurement operator*(scalar_type k, Measurement m)
+    requires(!std::same_as<scalar_type, V>)
+  {
     return m *= V(k);
   }
   friend constexpr bool operator==(const Measurement& a, const Measurement& b) {

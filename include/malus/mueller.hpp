@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 
 #include <glm/mat4x4.hpp>
@@ -34,6 +35,8 @@ class Mueller {
   using exit_frame_type = FO;
   using rows_type = std::array<std::array<V, 4>, 4>;
   static constexpr MuellerForm static_form = Form;
+  static_assert(!is_collinear(Form) || std::same_as<FI, FO>,
+                "light that goes on as it came stays in its kind of frame");
   static constexpr bool is_dynamic = Form == MuellerForm::dynamic;
 
   /// No transport: the form zero if dynamic, else all components zero (run-time frames are then
@@ -42,73 +45,85 @@ class Mueller {
     if constexpr (!is_dynamic) value_.fill(V(0));
   }
 
-  // ---- makers, one a form; each is there for the form itself and for dynamic ----
+  // makers, one a form; each is there for the form itself and for dynamic ----
 
   /// a·I for light that goes on as it came.
-  static constexpr Mueller plain(const V& a) requires(makes(MuellerForm::plain)) {
+  static constexpr Mueller plain(const V& a)
+    requires(makes(MuellerForm::plain) && std::same_as<FI, FO>)
+  {
     return Mueller(MuellerForm::plain, std::array<V, 1>{a});
   }
   /// diag(a, b, b, b) for light that goes on in its direction: transmittance a, of whose
   /// polarisation b/a is left.
-  static constexpr Mueller partial(const V& a, const V& b) requires(makes(MuellerForm::partial)) {
+  static constexpr Mueller partial(const V& a, const V& b)
+    requires(makes(MuellerForm::partial) && std::same_as<FI, FO>)
+  {
     return Mueller(MuellerForm::partial, std::array<V, 2>{a, b});
   }
   /// m00 alone: all polarisation is lost.
-  static constexpr Mueller depolarizing(const V& m00) requires(makes(MuellerForm::depolarizing)) {
+  static constexpr Mueller depolarizing(const V& m00)
+    requires(makes(MuellerForm::depolarizing))
+  {
     return Mueller(MuellerForm::depolarizing, std::array<V, 1>{m00});
   }
   /// The first column: whatever enters, what leaves is S0 times this Stokes vector in the exit
   /// frame.
-  static constexpr Mueller depolarizing_enter(
-      const std::array<V, 4>& column,
-      const FO& exit) requires(makes(MuellerForm::depolarizing_enter)) {
+  static constexpr Mueller depolarizing_enter(const std::array<V, 4>& column, const FO& exit)
+    requires(makes(MuellerForm::depolarizing_enter))
+  {
     Mueller m(MuellerForm::depolarizing_enter, column);
     m.exit_ = decltype(m.exit_)(exit);
     return m;
   }
   /// The first row: what leaves is unpolarised, of the intensity that this row measures in the
   /// enter frame.
-  static constexpr Mueller depolarizing_exit(const std::array<V, 4>& row, const FI& enter) requires(
-      makes(MuellerForm::depolarizing_exit)) {
+  static constexpr Mueller depolarizing_exit(const std::array<V, 4>& row, const FI& enter)
+    requires(makes(MuellerForm::depolarizing_exit))
+  {
     Mueller m(MuellerForm::depolarizing_exit, row);
     m.enter_ = decltype(m.enter_)(enter);
     return m;
   }
   /// Mirror-symmetric: {m00, m01, m10, m11} and {m22, m23, m32, m33}, all else zero.
   static constexpr Mueller block(const std::array<V, 4>& upper, const std::array<V, 4>& lower,
-                                 const FI& enter,
-                                 const FO& exit) requires(makes(MuellerForm::block)) {
+                                 const FI& enter, const FO& exit)
+    requires(makes(MuellerForm::block))
+  {
     return Mueller(MuellerForm::block,
                    std::array<V, 8>{upper[0], upper[1], upper[2], upper[3], lower[0], lower[1],
                                     lower[2], lower[3]},
                    enter, exit);
   }
   /// All 16 components, by rows.
-  static constexpr Mueller from_rows(const rows_type& m, const FI& enter,
-                                     const FO& exit) requires(makes(MuellerForm::full)) {
+  static constexpr Mueller from_rows(const rows_type& m, const FI& enter, const FO& exit)
+    requires(makes(MuellerForm::full))
+  {
     return Mueller(
         MuellerForm::full,
         std::array<V, 16>{m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3],
                           m[2][0], m[2][1], m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3]},
         enter, exit);
   }
-  static constexpr Mueller from_rows(const rows_type& m) requires(makes(MuellerForm::full) &&
-                                                                  StaticFrameType<FI> &&
-                                                                  StaticFrameType<FO>) {
+  static constexpr Mueller from_rows(const rows_type& m)
+    requires(makes(MuellerForm::full) && StaticFrameType<FI> && StaticFrameType<FO>)
+  {
     return from_rows(m, FI{}, FO{});
   }
   /// From GLM's matrices, one a channel. Their operator[] is a column: component (r, c) is
   /// matrix[c][r].
   template <class T>
   static constexpr Mueller from_mat4(const std::array<glm::mat<4, 4, T>, channel_count<V>>& matrix,
-                                     const FI& enter = {},
-                                     const FO& exit = {}) requires(makes(MuellerForm::full)) {
+                                     const FI& enter = {}, const FO& exit = {})
+    requires(makes(MuellerForm::full))
+  {
     return from_rows(detail::gather_rows<V>(matrix), enter, exit);
   }
   /// The same matrix in every channel.
   template <class T>
   static constexpr Mueller from_mat4(const glm::mat<4, 4, T>& matrix, const FI& enter = {},
-                                     const FO& exit = {}) requires(makes(MuellerForm::full)) {
+                                     const FO& exit = {})
+    requires(makes(MuellerForm::full))
+  {
     std::array<glm::mat<4, 4, T>, channel_count<V>> same;
     same.fill(matrix);
     return from_mat4(same, enter, exit);
@@ -116,25 +131,29 @@ class Mueller {
 
   /// The same matrix as a flagged one.
   template <MuellerForm Other>
-  requires(is_dynamic&& Other !=
-           MuellerForm::dynamic) constexpr Mueller(const Mueller<V, In, Out, FI, FO, Other>& m)
+    requires(is_dynamic && Other != MuellerForm::dynamic)
+  constexpr Mueller(const Mueller<V, In, Out, FI, FO, Other>& m)
       : flag_(Other) {  // NOLINT: widening
     for (std::size_t i = 0; i < value_count(Other); ++i) value_[i] = m.value_[i];
     if constexpr (needs_enter_frame(Other)) enter_ = decltype(enter_)(m.enter());
     if constexpr (needs_exit_frame(Other)) exit_ = decltype(exit_)(m.exit());
   }
 
-  // ---- observers ----
+  // observers ----
 
   constexpr MuellerForm form() const { return flag_.value(); }
 
   /// The frame that this matrix expects light in. Only for forms that have one (form.hpp).
-  constexpr decltype(auto) enter() const requires(needs_enter_frame(Form)) {
+  constexpr decltype(auto) enter() const
+    requires(needs_enter_frame(Form))
+  {
     assert(needs_enter_frame(form()));
     return enter_.get();
   }
   /// The frame of the light that leaves. Only for forms that have one (form.hpp).
-  constexpr decltype(auto) exit() const requires(needs_exit_frame(Form)) {
+  constexpr decltype(auto) exit() const
+    requires(needs_exit_frame(Form))
+  {
     assert(needs_exit_frame(form()));
     return exit_.get();
   }

@@ -64,7 +64,8 @@ struct Spaces<Q> {
   using in_frame = typename Q::enter_frame_type;
 };
 template <class Q>
-requires(ImportanceType<Q> || AnalyzerType<Q>) struct Spaces<Q> {
+  requires(ImportanceType<Q> || AnalyzerType<Q>)
+struct Spaces<Q> {
   using in_side = typename Q::side;
   using in_frame = typename Q::frame_type;
 };
@@ -81,21 +82,18 @@ concept Measures = ImportanceType<Q> || AnalyzerType<Q>;
 template <class A, class B>
 concept SameValue = std::same_as<typename A::value_type, typename B::value_type>;
 template <class A, class B>
-concept SidesMeet = std::same_as < typename Spaces<A>::in_side,
-typename Spaces<B>::out_side > ;
+concept SidesMeet = std::same_as<typename Spaces<A>::in_side, typename Spaces<B>::out_side>;
 template <class A, class B>
-concept FramesMeet = std::same_as < typename Spaces<A>::in_frame,
-typename Spaces<B>::out_frame > ;
+concept FramesMeet = std::same_as<typename Spaces<A>::in_frame, typename Spaces<B>::out_frame>;
 
 }  // namespace detail
 
 /// The light that leaves B is what A acts on: the product A * B is legal.
 template <class A, class B>
 concept Composable = detail::Acts<A> && detail::Brings<B> && detail::SameValue<A, B> &&
-    detail::SidesMeet<A, B> && detail::FramesMeet<A, B>;
+                     detail::SidesMeet<A, B> && detail::FramesMeet<A, B>;
 
-// ---- Mueller · Stokes
-// ----------------------------------------------------------------------------------------------
+// Mueller · Stokes
 
 namespace detail {
 
@@ -123,7 +121,8 @@ MALUS_INLINE constexpr void apply_into(const M& m, const S& s, Result& result) {
 }  // namespace detail
 
 template <MuellerType M, StokesType S>
-requires Composable<M, S> MALUS_INLINE constexpr auto operator*(const M& m, const S& s) {
+  requires Composable<M, S>
+MALUS_INLINE constexpr auto operator*(const M& m, const S& s) {
   constexpr StokesForm R = product_form(M::static_form, S::static_form);
   Stokes<typename S::value_type, typename M::out_side, typename M::exit_frame_type, R> result;
   detail::visit_form(m, [&](auto fm) {
@@ -132,8 +131,7 @@ requires Composable<M, S> MALUS_INLINE constexpr auto operator*(const M& m, cons
   return result;
 }
 
-// ---- Mueller · Mueller
-// ---------------------------------------------------------------------------------------------
+// Mueller · Mueller
 
 namespace detail {
 
@@ -176,7 +174,8 @@ MALUS_INLINE constexpr void multiply_into(const N& n, const M& m, Result& result
 }  // namespace detail
 
 template <MuellerType N, MuellerType M>
-requires Composable<N, M> MALUS_INLINE constexpr auto operator*(const N& n, const M& m) {
+  requires Composable<N, M>
+MALUS_INLINE constexpr auto operator*(const N& n, const M& m) {
   constexpr bool coincident = StaticFrameType<typename N::enter_frame_type>;
   constexpr MuellerForm R = product_form(N::static_form, M::static_form, coincident);
   Mueller<typename N::value_type, typename M::in_side, typename N::out_side,
@@ -188,8 +187,7 @@ requires Composable<N, M> MALUS_INLINE constexpr auto operator*(const N& n, cons
   return result;
 }
 
-// ---- Importance · Mueller and Importance · Stokes
-// ---------------------------------------------------------------------
+// Importance · Mueller and Importance · Stokes
 
 namespace detail {
 
@@ -216,7 +214,8 @@ MALUS_INLINE constexpr void measure_into(const W& w, const M& m, Result& result)
 }  // namespace detail
 
 template <ImportanceType W, MuellerType M>
-requires Composable<W, M> MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
+  requires Composable<W, M>
+MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
   constexpr ImportanceForm R = product_form(W::static_form, M::static_form);
   Importance<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R> result;
   detail::visit_form(w, [&](auto fw) {
@@ -226,7 +225,8 @@ requires Composable<W, M> MALUS_INLINE constexpr auto operator*(const W& w, cons
 }
 
 template <ImportanceType W, StokesType S>
-requires Composable<W, S> MALUS_INLINE constexpr auto operator*(const W& w, const S& s) {
+  requires Composable<W, S>
+MALUS_INLINE constexpr auto operator*(const W& w, const S& s) {
   using V = typename W::value_type;
   return detail::visit_form(w, [&](auto fw) {
     return detail::visit_form(s, [&](auto fs) {
@@ -249,8 +249,7 @@ requires Composable<W, S> MALUS_INLINE constexpr auto operator*(const W& w, cons
   });
 }
 
-// ---- Analyzer · Mueller and Analyzer · Stokes
-// ------------------------------------------------------------------------
+// Analyzer · Mueller and Analyzer · Stokes
 
 namespace detail {
 
@@ -304,7 +303,8 @@ MALUS_INLINE constexpr typename A::value_type dot_product(const A& w, const B& s
 }  // namespace detail
 
 template <AnalyzerType W, MuellerType M>
-requires Composable<W, M> MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
+  requires Composable<W, M>
+MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
   constexpr StokesForm R = row_product_form(W::static_form, M::static_form);
   Analyzer<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R> result;
   detail::visit_form(w, [&](auto fw) {
@@ -314,20 +314,20 @@ requires Composable<W, M> MALUS_INLINE constexpr auto operator*(const W& w, cons
 }
 
 template <AnalyzerType W, StokesType S>
-requires Composable<W, S> MALUS_INLINE constexpr auto operator*(const W& w, const S& s) {
+  requires Composable<W, S>
+MALUS_INLINE constexpr auto operator*(const W& w, const S& s) {
   return detail::dot_product(w, s, "Analyzer * Stokes");
 }
 
 /// ⟨[S, F], [T, G]⟩ = Sᵀ F G⁻¹ T, the inner product of the paper's Appendix A.
 template <StokesType S, StokesType T>
-requires(detail::SameValue<S, T>&& std::same_as<typename S::side, typename T::side>&&
-             std::same_as<typename S::frame_type, typename T::frame_type>) MALUS_INLINE
-    constexpr auto inner_product(const S& s, const T& t) {
+  requires(detail::SameValue<S, T> && std::same_as<typename S::side, typename T::side> &&
+           std::same_as<typename S::frame_type, typename T::frame_type>)
+MALUS_INLINE constexpr auto inner_product(const S& s, const T& t) {
   return detail::dot_product(s, t, "inner_product");
 }
 
-// ---- scaling
-// -------------------------------------------------------------------------------------------------------
+// scaling
 
 namespace detail {
 template <class Q>
@@ -347,13 +347,13 @@ MALUS_INLINE constexpr Q operator*(const typename Q::value_type& k, const Q& q) 
 }
 /// Scaling by a number.
 template <detail::Scalable Q>
-requires(!std::same_as<typename Q::value_type, typename Q::scalar_type>) MALUS_INLINE constexpr Q
-operator*(const Q& q, typename Q::scalar_type k) {
+  requires(!std::same_as<typename Q::value_type, typename Q::scalar_type>)
+MALUS_INLINE constexpr Q operator*(const Q& q, typename Q::scalar_type k) {
   return q * typename Q::value_type(k);
 }
 template <detail::Scalable Q>
-requires(!std::same_as<typename Q::value_type, typename Q::scalar_type>) MALUS_INLINE constexpr Q
-operator*(typename Q::scalar_type k, const Q& q) {
+  requires(!std::same_as<typename Q::value_type, typename Q::scalar_type>)
+MALUS_INLINE constexpr Q operator*(typename Q::scalar_type k, const Q& q) {
   return q * typename Q::value_type(k);
 }
 template <detail::Scalable Q>
@@ -361,11 +361,12 @@ MALUS_INLINE constexpr Q operator/(const Q& q, typename Q::scalar_type k) {
   return q * typename Q::value_type(1 / k);
 }
 template <detail::Scalable Q, class K>
-requires requires(Q q, K k) { q = q * k; }
-MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) { return q = q * k; }
+  requires requires(Q q, K k) { q = q * k; }
+MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) {
+  return q = q * k;
+}
 
-// ---- what does not compile, and why
-// -----------------------------------------------------------------------------------
+// what does not compile, and why
 
 namespace detail {
 template <class A, class B>

@@ -59,20 +59,38 @@ MALUS_INLINE constexpr Analyzer<V, exitant, F, Form> propagate(
 /// A transmittance: what a stretch of medium does to light on its way from one vertex to the next.
 template <class M>
 concept TransmittanceType = MuellerType<M> && std::same_as<typename M::in_side, exitant> &&
-    std::same_as<typename M::out_side, incident>;
+                            std::same_as<typename M::out_side, incident>;
 
 /// G through a medium on light or on a scattering: the transmittance acts last, T·x.
 template <detail::Brings X, TransmittanceType T>
-requires Composable<T, X> MALUS_INLINE constexpr auto propagate(const X& x,
-                                                                const T& transmittance) {
+  requires Composable<T, X>
+MALUS_INLINE constexpr auto propagate(const X& x, const T& transmittance) {
   return transmittance * x;
 }
 
 /// G* through a medium on importance: the transmittance acts before the measurement, W·T.
 template <detail::Measures W, TransmittanceType T>
-requires Composable<W, T> MALUS_INLINE constexpr auto propagate(const W& w,
-                                                                const T& transmittance) {
+  requires Composable<W, T>
+MALUS_INLINE constexpr auto propagate(const W& w, const T& transmittance) {
   return w * transmittance;
 }
+
+// what does not compile, and why
+
+namespace detail {
+/// Light that has arrived, or importance that measures light before it leaves: the other end of
+/// free space is behind it.
+template <class Q>
+concept Propagated = (Brings<Q> && std::same_as<typename Spaces<Q>::out_side, incident>) ||
+                     (Measures<Q> && std::same_as<typename Spaces<Q>::in_side, exitant>);
+}  // namespace detail
+
+// clang-format off
+template <detail::Propagated Q>
+error::already_propagated propagate(const Q&) = delete;
+
+template <detail::Propagated Q, TransmittanceType T>
+error::already_propagated propagate(const Q&, const T&) = delete;
+// clang-format on
 
 }  // namespace malus

@@ -18,6 +18,13 @@
 #include <malus/config.hpp>
 #include <malus/fwd.hpp>
 
+/// MALUS_INLINE for a lambda, after its parameters.
+#if defined(__GNUC__) || defined(__clang__)
+#define MALUS_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define MALUS_INLINE_LAMBDA
+#endif
+
 namespace malus {
 
 namespace detail {
@@ -61,9 +68,10 @@ inline constexpr std::size_t lanes_width = 16 / sizeof(T);
 
 template <class T>
 MALUS_INLINE Lanes<T> broadcast(T x) {
-  Lanes<T> lanes;
-  for (std::size_t i = 0; i < lanes_width<T>; ++i) lanes[i] = x;
-  return lanes;
+  if constexpr (lanes_width<T> == 4)
+    return Lanes<T>{x, x, x, x};
+  else
+    return Lanes<T>{x, x};
 }
 
 }  // namespace detail
@@ -145,7 +153,7 @@ requires(N >= 1) class Spectrum {
   detail::Lanes<T> group_[groups];
 };
 
-// ---- one vocabulary for a scalar and a Spectrum
+// one vocabulary for a scalar and a Spectrum
 
 /// Channel i of a value; a plain scalar has the one channel 0.
 template <SpectralValue V>

@@ -53,7 +53,11 @@ template <class F, int Which, bool Needed>
 struct FrameSlot {
   constexpr FrameSlot() = default;
   constexpr explicit FrameSlot(const F&) {}
-  static constexpr F get() requires StaticFrameType<F> { return {}; }
+  static constexpr F get()
+    requires StaticFrameType<F>
+  {
+    return {};
+  }
 };
 template <RuntimeFrameType F, int Which>
 struct FrameSlot<F, Which, true> {
@@ -82,18 +86,18 @@ class Stokes {
   }
 
   /// [(s0, s1, s2, s3), frame].
-  constexpr Stokes(const V& s0, const V& s1, const V& s2, const V& s3,
-                   const F& frame) requires(Form == StokesForm::full || is_dynamic)
+  constexpr Stokes(const V& s0, const V& s1, const V& s2, const V& s3, const F& frame)
+    requires(Form == StokesForm::full || is_dynamic)
       : value_{s0, s1, s2, s3}, frame_(frame), flag_(StokesForm::full) {}
-  constexpr Stokes(const V& s0, const V& s1, const V& s2,
-                   const V& s3) requires(Form == StokesForm::full && StaticFrameType<F>)
+  constexpr Stokes(const V& s0, const V& s1, const V& s2, const V& s3)
+    requires(Form == StokesForm::full && StaticFrameType<F>)
       : Stokes(s0, s1, s2, s3, F{}) {}
 
   /// Unpolarised light of intensity s0, which needs no frame.
-  static constexpr Stokes unpolarized(const V& s0) requires(Form == StokesForm::unpolarized ||
-                                                            is_dynamic ||
-                                                            (Form == StokesForm::full &&
-                                                             StaticFrameType<F>)) {
+  static constexpr Stokes unpolarized(const V& s0)
+    requires(Form == StokesForm::unpolarized || is_dynamic ||
+             (Form == StokesForm::full && StaticFrameType<F>))
+  {
     Stokes s;
     s.value_[0] = s0;
     if constexpr (is_dynamic) s.flag_ = detail::FormFlag<Form>(StokesForm::unpolarized);
@@ -102,9 +106,8 @@ class Stokes {
 
   /// The same light as a flagged one.
   template <StokesForm Other>
-  requires(is_dynamic&& Other !=
-           StokesForm::dynamic) constexpr Stokes(const Stokes<V, Side, F, Other>& s)
-      : flag_(Other) {  // NOLINT: widening
+    requires(is_dynamic && Other != StokesForm::dynamic)
+  constexpr Stokes(const Stokes<V, Side, F, Other>& s) : flag_(Other) {  // NOLINT: widening
     for (std::size_t i = 0; i < value_count(Other); ++i) value_[i] = detail::Access::values(s)[i];
     if constexpr (needs_frame(Other)) frame_ = decltype(frame_)(s.frame());
   }
@@ -112,16 +115,17 @@ class Stokes {
   /// From GLM's (S0, S1, S2, S3), one vector a channel.
   template <class T>
   static constexpr Stokes from_vec4(const std::array<glm::vec<4, T>, channel_count<V>>& s,
-                                    const F& frame = {}) requires(Form == StokesForm::full ||
-                                                                  is_dynamic) {
+                                    const F& frame = {})
+    requires(Form == StokesForm::full || is_dynamic)
+  {
     const auto value = detail::gather_vector<V>(s);
     return {value[0], value[1], value[2], value[3], frame};
   }
   /// The same vector in every channel.
   template <class T>
-  static constexpr Stokes from_vec4(const glm::vec<4, T>& s,
-                                    const F& frame = {}) requires(Form == StokesForm::full ||
-                                                                  is_dynamic) {
+  static constexpr Stokes from_vec4(const glm::vec<4, T>& s, const F& frame = {})
+    requires(Form == StokesForm::full || is_dynamic)
+  {
     std::array<glm::vec<4, T>, channel_count<V>> same;
     same.fill(s);
     return from_vec4(same, frame);
@@ -130,7 +134,9 @@ class Stokes {
   constexpr StokesForm form() const { return flag_.value(); }
 
   /// The frame S1 and S2 refer to. Only light of the form full has one.
-  constexpr decltype(auto) frame() const requires(needs_frame(Form)) {
+  constexpr decltype(auto) frame() const
+    requires(needs_frame(Form))
+  {
     assert(needs_frame(form()));
     return frame_.get();
   }
@@ -163,7 +169,8 @@ class Stokes {
   }
   /// The same with the rotation from frame() to `frame` given.
   constexpr Stokes expressed_in(const F& frame, const Rotation<scalar_type>& turn) const
-      requires(RuntimeFrameType<F>) {
+    requires(RuntimeFrameType<F>)
+  {
     Stokes s = *this;
     if (needs_frame(form())) {
       rotate(turn, s.value_[1], s.value_[2]);

@@ -31,21 +31,18 @@ struct SumSpace<Q> {
 };
 
 template <class A, class B>
-concept SameSides = std::same_as < typename SumSpace<A>::sides,
-typename SumSpace<B>::sides > ;
+concept SameSides = std::same_as<typename SumSpace<A>::sides, typename SumSpace<B>::sides>;
 template <class A, class B>
-concept SameFrames = std::same_as < typename SumSpace<A>::frames,
-typename SumSpace<B>::frames > ;
+concept SameFrames = std::same_as<typename SumSpace<A>::frames, typename SumSpace<B>::frames>;
 
 }  // namespace detail
 
 /// Two quantities of one kind, in one space: they may be added.
 template <class A, class B>
 concept Summable = detail::SameKind<A, B> && detail::SameValue<A, B> && detail::SameSides<A, B> &&
-    detail::SameFrames<A, B>;
+                   detail::SameFrames<A, B>;
 
-// ---- Stokes + Stokes, Analyzer + Analyzer
-// -----------------------------------------------------------------------------
+// Stokes + Stokes, Analyzer + Analyzer
 
 namespace detail {
 
@@ -84,21 +81,22 @@ MALUS_INLINE constexpr Result add_vectors(const A& a, const B& b, const char* op
 }  // namespace detail
 
 template <StokesType A, StokesType B>
-requires Summable<A, B> MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
+  requires Summable<A, B>
+MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
   using Result = Stokes<typename A::value_type, typename A::side, typename A::frame_type,
                         sum_form(A::static_form, B::static_form)>;
   return detail::add_vectors<Result>(a, b, "Stokes + Stokes");
 }
 
 template <AnalyzerType A, AnalyzerType B>
-requires Summable<A, B> MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
+  requires Summable<A, B>
+MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
   using Result = Analyzer<typename A::value_type, typename A::side, typename A::frame_type,
                           sum_form(A::static_form, B::static_form)>;
   return detail::add_vectors<Result>(a, b, "Analyzer + Analyzer");
 }
 
-// ---- Mueller + Mueller
-// ---------------------------------------------------------------------------------------------
+// Mueller + Mueller
 
 namespace detail {
 
@@ -145,7 +143,7 @@ constexpr bool add_expressed(const M& m, const SumFrames<typename M::scalar_type
 }  // namespace detail
 
 template <MuellerType A, MuellerType B>
-requires Summable<A, B>
+  requires Summable<A, B>
 constexpr auto operator+(const A& a, const B& b) {
   using V = typename A::value_type;
   constexpr bool static_frames =
@@ -181,11 +179,10 @@ constexpr auto operator+(const A& a, const B& b) {
   return result;
 }
 
-// ---- Importance + Importance
-// ----------------------------------------------------------------------------------------
+// Importance + Importance
 
 template <ImportanceType A, ImportanceType B>
-requires Summable<A, B>
+  requires Summable<A, B>
 constexpr auto operator+(const A& a, const B& b) {
   using V = typename A::value_type;
   using T = typename A::scalar_type;
@@ -229,13 +226,12 @@ constexpr auto operator+(const A& a, const B& b) {
 }
 
 template <class A, class B>
-requires(Summable<A, B>&& requires(A a, B b) { a = a + b; }) MALUS_INLINE constexpr A& operator+=(
-    A& a, const B& b) {
+  requires(Summable<A, B> && requires(A a, B b) { a = a + b; })
+MALUS_INLINE constexpr A& operator+=(A& a, const B& b) {
   return a = a + b;
 }
 
-// ---- what does not compile, and why
-// -----------------------------------------------------------------------------------
+// what does not compile, and why
 
 namespace detail {
 template <class A, class B>
@@ -247,8 +243,8 @@ concept FramesDiffer = SameKind<A, B> && SameValue<A, B> && SameSides<A, B> && !
 template <class A, class B>
 concept KindsDiffer = Scalable<A> && Scalable<B> && !SameKind<A, B>;
 template <class A, class B>
-concept ReadingAndQuantity = (MeasurementType<A> && Scalable<B>) ||
-                             (MeasurementType<B> && Scalable<A>);
+concept ReadingAndQuantity =
+    (MeasurementType<A> && Scalable<B>) || (MeasurementType<B> && Scalable<A>);
 }  // namespace detail
 
 // Compilers quote the line with the operator's name: the reason stays on it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A filter in front of a sensor reads what arrives there; a BSDF gives what leaves the vertex before.
+// A filter before a sensor reads what arrives there; a BSDF gives what leaves the vertex before.
 // expect: call_propagate_first
 #include <malus/malus.hpp>
 

@@ -71,7 +71,9 @@ std::string vector_difference(const std::string& what, const Q& got, std::size_t
 
 /// Compares a Mueller matrix with the reference's, modulo frames.
 template <class M, class V = typename M::value_type>
-std::string difference(const M& got, const Matrices<V>& expected) requires malus::MuellerType<M> {
+std::string difference(const M& got, const Matrices<V>& expected)
+  requires malus::MuellerType<M>
+{
   using T = malus::scalar_t<V>;
   const MuellerForm form = got.form();
   const reference::Axes from_enter = to_axes(expected.enter), from_exit = to_axes(expected.exit);
@@ -91,8 +93,9 @@ std::string difference(const M& got, const Matrices<V>& expected) requires malus
 }
 
 template <class W, class V = typename W::value_type>
-std::string difference(const W& got,
-                       const Measurements<V>& expected) requires malus::ImportanceType<W> {
+std::string difference(const W& got, const Measurements<V>& expected)
+  requires malus::ImportanceType<W>
+{
   const reference::Axes from = to_axes(expected.frame);
   reference::Axes to = from;
   if constexpr (needs_frame(W::static_form))
@@ -107,8 +110,9 @@ std::string difference(const W& got,
 
 /// Compares light, or a row, with the reference's, modulo frames.
 template <class S, class V = typename S::value_type>
-std::string difference(const S& got, const Vectors<V>& expected) requires(malus::StokesType<S> ||
-                                                                          malus::AnalyzerType<S>) {
+std::string difference(const S& got, const Vectors<V>& expected)
+  requires(malus::StokesType<S> || malus::AnalyzerType<S>)
+{
   const reference::Axes from = to_axes(expected.frame);
   reference::Axes to = from;
   if constexpr (needs_frame(S::static_form))

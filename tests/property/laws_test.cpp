@@ -55,8 +55,9 @@ struct Chain {
 // What the library's quantities say, for comparison modulo frames with others that the library
 // makes.
 template <class M>
-auto told(const M& m,
-          const Matrices<typename M::value_type>& by_default) requires malus::MuellerType<M> {
+auto told(const M& m, const Matrices<typename M::value_type>& by_default)
+  requires malus::MuellerType<M>
+{
   auto result = by_default;
   result.form = m.form();
   if (needs_enter_frame(m.form())) result.enter = m.enter();
@@ -70,8 +71,9 @@ auto told(const M& m,
   return result;
 }
 template <class W>
-auto told(const W& w, const malus::Frame<typename W::scalar_type>& by_default) requires
-    malus::ImportanceType<W> {
+auto told(const W& w, const malus::Frame<typename W::scalar_type>& by_default)
+  requires malus::ImportanceType<W>
+{
   Measurements<typename W::value_type> result{w.form(), {}, by_default};
   if (needs_frame(w.form())) result.frame = w.frame();
   for (int r = 0; r < 4; ++r)
@@ -82,8 +84,9 @@ auto told(const W& w, const malus::Frame<typename W::scalar_type>& by_default) r
   return result;
 }
 template <class S>
-auto told(const S& s, const malus::Frame<typename S::scalar_type>& by_default) requires(
-    malus::StokesType<S> || malus::AnalyzerType<S>) {
+auto told(const S& s, const malus::Frame<typename S::scalar_type>& by_default)
+  requires(malus::StokesType<S> || malus::AnalyzerType<S>)
+{
   Vectors<typename S::value_type> result{s.form(), {}, by_default};
   if (needs_frame(s.form())) result.frame = s.frame();
   for (std::size_t k = 0; k < 4; ++k)

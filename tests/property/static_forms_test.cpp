@@ -72,8 +72,7 @@ template <auto& Forms, class F>
 void for_each_form(F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (f(std::integral_constant<std::remove_cvref_t<decltype(Forms[0])>, Forms[I]>{}), ...);
-  }
-  (std::make_index_sequence<Forms.size()>{});
+  }(std::make_index_sequence<Forms.size()>{});
 }
 
 /// All in one direction, so that any form may stand anywhere.

@@ -48,8 +48,9 @@ static_assert(sizeof(Spectrum<double, 3>) == 32);
 
 // What a renderer copies into arrays, photon maps and path records may be copied as bytes.
 template <class Q>
-constexpr bool is_plain_data = std::is_trivially_copyable_v<Q>&&
-    std::is_trivially_destructible_v<Q>&& std::is_standard_layout_v<Frame<typename Q::scalar_type>>;
+constexpr bool is_plain_data =
+    std::is_trivially_copyable_v<Q> && std::is_trivially_destructible_v<Q> &&
+    std::is_standard_layout_v<Frame<typename Q::scalar_type>>;
 static_assert(is_plain_data<Stokes<Rgb>>);
 static_assert(is_plain_data<Analyzer<Rgb>>);
 static_assert(is_plain_data<Mueller<Rgb>>);

@@ -21,7 +21,9 @@ using malus::incident;
 using Lab = malus::StaticFrame<struct LabTag>;
 
 /// θ of the polarizer and φ of the retarder of each reading, in degrees.
-constexpr struct { double polarizer, retarder; } filters[4] = {{0, 0}, {45, 0}, {90, 0}, {45, 90}};
+constexpr struct {
+  double polarizer, retarder;
+} filters[4] = {{0, 0}, {45, 0}, {90, 0}, {45, 90}};
 
 }  // namespace
 

@@ -99,7 +99,7 @@ inline Matrix rotator(double angle) {
 /// Components in a frame turned counter-clockwise by an angle.
 inline Matrix turned_frame(double angle) { return rotator(-angle); }
 
-// ---- a plane interface, from Maxwell's boundary conditions alone
+// a plane interface, from Maxwell's boundary conditions alone
 
 struct Amplitudes {
   Complex rs, rp, ts, tp;

@@ -120,7 +120,7 @@ Path random_path(Random& random, const std::vector<MuellerForm>& forms, std::siz
   return path;
 }
 
-// ---- the same in the library's types
+// the same in the library's types
 
 template <class T>
 malus::Frame<T> frame_of(const Axes& a) {
@@ -205,7 +205,7 @@ malus::Measurement<V> carried(const Path& path) {
   return sum;
 }
 
-// ---- the same in plain 4×4 matrices, every rotation a full one by its angle
+// the same in plain 4×4 matrices, every rotation a full one by its angle
 
 Rows product(const Rows& a, const Rows& b) {
   Rows m{};

@@ -38,10 +38,12 @@ struct Hit {
   Ray leave(const Vec3& w, float length = infinity) const {
     return {offset(w), w, length};
   }
-  /// The ray to another point, and short of it.
+  /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it starts: a parallel one
+  /// would meet a sphere before a point on its limb.
   Ray leave_for(const Vec3& target, const Vec3& w) const {
-    const Vec3 origin = offset(w);
-    return {origin, w, glm::length(target - origin) * (1 - 2e-4f)};
+    const Vec3 origin = offset(w), way = target - origin;
+    const float far = glm::length(way);
+    return {origin, far > 0 ? way / far : w, far * (1 - 2e-4f)};
   }
 
  private:

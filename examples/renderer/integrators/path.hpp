@@ -113,6 +113,7 @@ class PathIntegrator {
   /// The light that arrives at a hit from a light's sample, unless something is in between. Sheets let it pass and act on it in
   /// the light's order: the one nearest to the light first, though a shadow ray meets it last.
   bool transmit(const Hit& from, const LightSample& light, int depth, typename R::Light& arriving) {
+    const Vec3 light_goes = -light.direction;
     Ray ray = from.leave_for(light.position, light.direction);
     if (!scene_.has_sheets) {
       ++counters_.shadow_rays;
@@ -126,10 +127,10 @@ class PathIntegrator {
       Hit hit;
       ++counters_.shadow_rays;
       if (!scene_.intersect(ray, hit)) break;
-      const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, -ray.direction);
+      const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, light_goes);
       if (!bsdf.is_sheet()) return false;
-      shadow_.scatter(bsdf.template transmit<R>(hit, -ray.direction));
-      ray = hit.leave_for(light.position, ray.direction);
+      shadow_.scatter(bsdf.template transmit<R>(hit, light_goes));
+      ray = hit.leave_for(light.position, light.direction);
     }
     shadow_.deposit(R::unpolarized(light.radiance));
     arriving = shadow_.result();

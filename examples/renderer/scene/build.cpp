@@ -19,14 +19,15 @@ bool needs_tangent(const Bsdf* bsdf) {
 void build_shape(const Object& object, MaterialFactory& materials, Scene& scene) {
   const std::uint32_t number = add_shape_geometry(object, scene.geometry, scene.warnings);
   Shape shape;
-  shape.material = materials.make(object.only_child("bsdf"));
+  const auto emitter = object.only_child("emitter");
+  shape.material = materials.make(object.only_child("bsdf"), emitter != nullptr);
   shape.needs_tangent = needs_tangent(shape.material.front) || needs_tangent(shape.material.back);
   for (const Bsdf* bsdf : {shape.material.front, shape.material.back}) {
     if (!bsdf) continue;
     scene.has_sheets |= bsdf->is_sheet();
     scene.polarizes |= bsdf->polarizes();
   }
-  if (const auto emitter = object.only_child("emitter")) {
+  if (emitter) {
     shape.light = static_cast<int>(scene.lights.size());
     scene.lights.push_back(make_area_light(*emitter, scene.geometry, number));
   }
@@ -50,7 +51,7 @@ Scene build_scene(const Object& root) {
   Scene scene;
   MaterialFactory materials(scene.bsdfs);
   // BSDFs that nothing refers to are checked all the same.
-  for (const auto& bsdf : root.children("bsdf")) materials.make(bsdf);
+  for (const auto& bsdf : root.children("bsdf")) materials.make(bsdf, false);
   for (const auto& shape : root.children("shape")) build_shape(*shape, materials, scene);
   build_lights(root, scene);
 

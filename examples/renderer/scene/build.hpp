@@ -14,13 +14,14 @@ namespace renderer {
 /// Throws InputError where the file asks for what there isn't.
 Scene build_scene(const Object& root);
 
-// ---- the factories -------------------------------------------------------------------------------------------------
+// the factories
 
 class MaterialFactory {
  public:
   explicit MaterialFactory(std::deque<Bsdf>& bsdfs) : bsdfs_(bsdfs) {}
-  /// The material of a <bsdf>; one for each object, however often it is referred to. Null: the default, diffuse of ½.
-  Material make(const Object::Pointer& object);
+  /// The material of a <bsdf>; one for each object, however often it is referred to. Null: the default, diffuse of ½, or of 0
+  /// where the shape emits.
+  Material make(const Object::Pointer& object, bool emits);
 
  private:
   const Bsdf* make_bsdf(const Object::Pointer& object);
@@ -29,6 +30,7 @@ class MaterialFactory {
   std::deque<Bsdf>& bsdfs_;
   std::unordered_map<const Object*, Material> made_;
   const Bsdf* default_ = nullptr;
+  const Bsdf* default_of_emitters_ = nullptr;
 };
 
 /// Adds a <shape>'s geometry and returns its number.

@@ -114,7 +114,7 @@ Material MaterialFactory::make_two_sided(const Object& object) {
     object.fail("a twosided BSDF holds one or two <bsdf>, not " + std::to_string(sides.size()));
   Material material;
   for (const auto& side : sides) {
-    const Material inner = make(side);
+    const Material inner = make(side, false);
     if (side->type() == "twosided") side->fail("twosided BSDFs don't nest");
     if (inner.front->is_sheet() || std::holds_alternative<Dielectric>(inner.front->kind()))
       side->fail("a twosided BSDF holds BSDFs that reflect alone; \"" + side->type() +
@@ -126,10 +126,11 @@ Material MaterialFactory::make_two_sided(const Object& object) {
   return material;
 }
 
-Material MaterialFactory::make(const Object::Pointer& object) {
+Material MaterialFactory::make(const Object::Pointer& object, bool emits) {
   if (!object) {
-    if (!default_) default_ = &bsdfs_.emplace_back(Diffuse{});
-    return {default_, nullptr};
+    const Bsdf*& shared = emits ? default_of_emitters_ : default_;
+    if (!shared) shared = &bsdfs_.emplace_back(Diffuse{Rgb(emits ? 0.0f : 0.5f)});
+    return {shared, nullptr};
   }
   if (const auto found = made_.find(object.get()); found != made_.end()) return found->second;
   const Material material =

@@ -17,24 +17,23 @@ TriangleMesh unit_rectangle() {
   return m;
 }
 
-/// Corners (±1, ±1, ±1), normals outwards, each face with its own u and v.
+/// Corners (±1, ±1, ±1), normals outwards, and on each face the u and v that Mitsuba's cube has: v = u × n.
 TriangleMesh unit_cube() {
+  constexpr glm::vec3 normals_and_u[6][2] = {{{0, -1, 0}, {0, 0, 1}},  {{0, 1, 0}, {-1, 0, 0}},
+                                             {{1, 0, 0}, {0, 1, 0}},   {{0, 0, 1}, {0, 1, 0}},
+                                             {{-1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, -1, 0}}};
   TriangleMesh m;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const float sign : {-1.0f, 1.0f}) {
-      Vec3 n(0), u(0), v(0);
-      n[axis] = sign;
-      u[(axis + 1) % 3] = sign;
-      v[(axis + 2) % 3] = 1;
-      const auto first = static_cast<std::uint32_t>(m.positions.size());
-      for (const auto& [a, b] :
-           {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
-        m.positions.push_back(n + a * u + b * v);
-        m.texcoords.push_back({(a + 1) / 2, (b + 1) / 2});
-      }
-      m.triangles.push_back({first, first + 1, first + 2});
-      m.triangles.push_back({first + 2, first + 3, first});
+  for (const auto& [n, u] : normals_and_u) {
+    const Vec3 v = glm::cross(u, n);
+    const auto first = static_cast<std::uint32_t>(m.positions.size());
+    for (const auto& [a, b] :
+         {std::pair{-1.0f, -1.0f}, {-1.0f, 1.0f}, {1.0f, 1.0f}, {1.0f, -1.0f}}) {
+      m.positions.push_back(n + a * u + b * v);
+      m.texcoords.push_back({(a + 1) / 2, (b + 1) / 2});
     }
+    m.triangles.push_back({first, first + 1, first + 2});
+    m.triangles.push_back({first + 2, first + 3, first});
+  }
   return m;
 }
 
@@ -54,17 +53,12 @@ void apply_transform(TriangleMesh& mesh, const glm::dmat4& to_world, bool keep_f
 
 TriangleMesh read_mesh(const Object& o, std::vector<std::string>& warnings) {
   const auto path = o.file("filename");
-  const bool face_normals = o.boolean("face_normals", false);
   TriangleMesh mesh = o.type() == "obj"
                           ? read_obj(path, o.boolean("flip_tex_coords", true), o.location())
                           : read_ply(path, o.boolean("flip_tex_coords", false), o.location());
   if (mesh.dropped > 0)
     warnings.push_back(path.string() + ": left out " + std::to_string(mesh.dropped) +
                        " triangles without an area");
-  if (face_normals)
-    mesh.normals.clear();
-  else if (mesh.normals.empty())
-    mesh.normals = vertex_normals(mesh);
   return mesh;
 }
 
@@ -106,7 +100,10 @@ std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
   else
     fail_unknown_plugin(o, {"cube", "obj", "ply", "rectangle", "sphere"});
 
+  const bool face_normals = from_file && o.boolean("face_normals", false);
+  if (face_normals) mesh.normals.clear();
   apply_transform(mesh, o.transform("to_world"), !from_file);
+  if (from_file && !face_normals && mesh.normals.empty()) mesh.normals = vertex_normals(mesh);
   if (o.boolean("flip_normals", false)) turn_inside_out(mesh);
   return geometry.add(std::move(mesh));
 }

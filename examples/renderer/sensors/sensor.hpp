@@ -16,7 +16,7 @@ class Sensor {
   /// The lens looks along the local +z; +x is the picture's left and +y its top, as in Mitsuba.
   struct Lens {
     Vec2 half_extent{1.0f};   ///< tangents of half the field of view
-    Vec2 principal_point{0};  ///< offset of the optical axis, as a fraction of the film
+    Vec2 principal_point{0};  ///< where on the film, from its centre, a camera without it looks: fractions of the film
     float near_clip = 1e-2f, far_clip = 1e4f;
   };
 
@@ -34,7 +34,7 @@ class Sensor {
   Ray ray(const Vec2& film) const {
     Vec3 local(0, 0, 1);
     if (kind_ == Kind::perspective) {
-      const Vec2 p = Vec2(1) - 2.0f * (film - lens_.principal_point);
+      const Vec2 p = Vec2(1) - 2.0f * (film + lens_.principal_point);
       local = {p.x * lens_.half_extent.x, p.y * lens_.half_extent.y, 1};
     }
     const Vec3 d = glm::normalize(glm::mat3(to_world_) * local);

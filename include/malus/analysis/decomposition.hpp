@@ -25,8 +25,8 @@ namespace malus {
 
 /// A matrix with a frame on either side, which its factors can be given: a block or a full one.
 template <class M>
-concept FramedMueller = MuellerType<M> && needs_enter_frame(M::static_form) &&
-    needs_exit_frame(M::static_form);
+concept FramedMueller =
+    MuellerType<M> && needs_enter_frame(M::static_form) && needs_exit_frame(M::static_form);
 
 namespace detail {
 
@@ -147,8 +147,9 @@ struct PolarDecomposition {
 /// diattenuator's; the depolarizer has the polarizance that is left. Where M is singular the
 /// smallest retardance that will do is taken.
 template <FramedMueller M>
-requires(std::same_as<typename M::in_side, incident>&&
-             std::same_as<typename M::out_side, exitant>) auto polar_decomposition(const M& m) {
+  requires(std::same_as<typename M::in_side, incident> &&
+           std::same_as<typename M::out_side, exitant>)
+auto polar_decomposition(const M& m) {
   using V = typename M::value_type;
   using Result = PolarDecomposition<V, typename M::enter_frame_type, typename M::exit_frame_type>;
   auto depolarizer = detail::zero_rows<V>(), retarder = depolarizer, diattenuator = depolarizer;

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <malus/detail/wide_rows.hpp>
 #include <malus/form.hpp>
 #include <malus/frame.hpp>
 #include <malus/spectrum.hpp>
@@ -37,9 +38,9 @@ constexpr bool is_first_in_slot() {
 /// Calls f.operator()<r, c>() for one component of every place that a form keeps.
 template <auto Form, class F>
 MALUS_INLINE constexpr void for_each_slot(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
+  [&]<int... I>(std::integer_sequence<int, I...>) MALUS_INLINE_LAMBDA {
     (
-        [&] {
+        [&]() MALUS_INLINE_LAMBDA {
           if constexpr (is_first_in_slot<Form, I / 4, I % 4>())
             f.template operator()<I / 4, I % 4>();
         }(),
@@ -48,54 +49,132 @@ MALUS_INLINE constexpr void for_each_slot(F&& f) {
   (std::make_integer_sequence<int, 16>{});
 }
 
-template <auto A, auto B, int R, int C>
-constexpr bool has_terms_from(int k) {
-  for (; k < 4; ++k)
-    if (slot(A, R, k) >= 0 && slot(B, k, C) >= 0) return true;
-  return false;
+// products as lists of multiplications
+// Which components
+// meet is a table made by the compiler: one fold over it is far cheaper to compile than a recursion
+// of templates. Sums are made in locals and stored at the end, since a store may change what is
+// still to be read, for all that the compiler knows, and would have every operand read again.
+
+/// out[to] = or += a[left]·b[right]; a negative `left` stands for zero.
+struct Term {
+  int to, left, right;
+  bool first;
+};
+struct Terms {
+  int count = 0;
+  Term term[64] = {};
+};
+
+/// The multiplications of a product of `rows` times `columns` components, by the places of its
+/// result and factors.
+template <class Out, class A, class B>
+consteval Terms list_terms(int rows, int columns, Out out, A a, B b) {
+  Terms terms;
+  bool done[16] = {};
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const int to = out(r, c);
+      if (to < 0 || done[to]) continue;
+      done[to] = true;
+      bool first = true;
+      for (int k = 0; k < 4; ++k)
+        if (a(r, k) >= 0 && b(k, c) >= 0) {
+          terms.term[terms.count++] = {to, a(r, k), b(k, c), first};
+          first = false;
+        }
+      if (first) terms.term[terms.count++] = {to, -1, -1, true};
+    }
+  return terms;
 }
 
-/// Component (R, C) of a·b: Σₖ a(R, k) b(k, C) over the k at which neither is zero by form.
-template <auto A, auto B, int R, int C, int K = 0, class V>
-MALUS_INLINE constexpr V product_entry(const V* a, const V* b) {
-  constexpr bool here = slot(A, R, K) >= 0 && slot(B, K, C) >= 0;
-  if constexpr (!here)
-    return product_entry<A, B, R, C, K + 1>(a, b);
-  else if constexpr (has_terms_from<A, B, R, C>(K + 1))
-    return a[slot(A, R, K)] * b[slot(B, K, C)] + product_entry<A, B, R, C, K + 1>(a, b);
+template <class V>
+MALUS_INLINE constexpr void add_term(const Term& term, const V* a, const V* b, V* out) {
+  if (term.left < 0)
+    out[term.to] = V(0);
+  else if (term.first)
+    out[term.to] = a[term.left] * b[term.right];
   else
-    return a[slot(A, R, K)] * b[slot(B, K, C)];
+    out[term.to] = out[term.to] + a[term.left] * b[term.right];
 }
 
-/// out = a·b, no frames to turn. Out is the form of the result.
+/// to[i] = f(from[i]).
+template <std::size_t Count, class F, class V>
+MALUS_INLINE constexpr void map_values(F&& f, const V* from, V* to) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) MALUS_INLINE_LAMBDA {
+    ((to[I] = f(from[I])), ...);
+  }
+  (std::make_index_sequence<Count>{});
+}
+template <std::size_t Count, class V>
+MALUS_INLINE constexpr void copy_values(const V* from, V* to) {
+  map_values<Count>([](const V& value) MALUS_INLINE_LAMBDA { return value; }, from, to);
+}
+
+template <const Terms& List, std::size_t Size, class V>
+MALUS_INLINE constexpr void add_terms(const V* a, const V* b, V* out) {
+  V sum[Size];
+  [&]<std::size_t... I>(std::index_sequence<I...>) MALUS_INLINE_LAMBDA {
+    (add_term(List.term[I], a, b, sum), ...);
+  }
+  (std::make_index_sequence<static_cast<std::size_t>(List.count)>{});
+  copy_values<Size>(static_cast<const V*>(sum), out);
+}
+
+template <auto Out, auto A, auto B>
+inline constexpr Terms product_terms = list_terms(
+    4, 4, [](int r, int c) { return slot(Out, r, c); }, [](int r, int k) { return slot(A, r, k); },
+    [](int k, int c) { return slot(B, k, c); });
+
+template <auto M>
+inline constexpr std::size_t layout_size = value_count(M);
+template <>
+inline constexpr std::size_t layout_size<turned_block> = 12;
+
+/// out = a·b, no frames to turn. Out is the form of the result; out overlaps neither factor.
 template <auto Out, auto A, auto B, class V>
 MALUS_INLINE constexpr void multiply(const V* a, const V* b, V* out) {
-  for_each_slot<Out>([&]<int R, int C>() {
-    if constexpr (has_terms_from<A, B, R, C>(0))
-      out[slot(Out, R, C)] = product_entry<A, B, R, C>(a, b);
-    else
-      out[slot(Out, R, C)] = V(0);
-  });
+  if constexpr (layout_size<A> == 16 && layout_size<B> == 16 && has_wide_rows<V>)
+    multiply_full(a, NoRotation{}, b, out);
+  else
+    add_terms<product_terms<Out, A, B>, layout_size<Out>>(a, b, out);
+}
+
+/// (s1, s2) = R·(a, 0) or R·(0, a): what is zero by form is not multiplied.
+template <class V>
+MALUS_INLINE constexpr void rotate_one(const Rotation<scalar_t<V>>& turn, bool first, const V& a,
+                                       V& s1, V& s2) {
+  s1 = (first ? turn.cos2 : turn.sin2) * a;
+  s2 = (first ? -turn.sin2 : turn.cos2) * a;
+}
+template <class V>
+MALUS_INLINE constexpr void rotate_one(NoRotation, bool first, const V& a, V& s1, V& s2) {
+  s1 = first ? a : V(0);
+  s2 = first ? V(0) : a;
+}
+
+/// Column C of out = R·m.
+template <auto Out, auto M, int C, class Turn, class V>
+MALUS_INLINE constexpr void turn_column(const Turn& turn, const V* m, V* out) {
+  if constexpr (slot(Out, 0, C) >= 0) out[slot(Out, 0, C)] = m[slot(M, 0, C)];
+  if constexpr (slot(Out, 3, C) >= 0) out[slot(Out, 3, C)] = m[slot(M, 3, C)];
+  if constexpr (slot(M, 1, C) >= 0 && slot(M, 2, C) >= 0) {
+    out[slot(Out, 1, C)] = m[slot(M, 1, C)];
+    out[slot(Out, 2, C)] = m[slot(M, 2, C)];
+    rotate(turn, out[slot(Out, 1, C)], out[slot(Out, 2, C)]);
+  } else if constexpr (slot(Out, 1, C) >= 0) {
+    constexpr bool first = slot(M, 1, C) >= 0;
+    rotate_one(turn, first, m[slot(M, first ? 1 : 2, C)], out[slot(Out, 1, C)],
+               out[slot(Out, 2, C)]);
+  }
 }
 
 /// out = R·m: the exit frame of m turned. The values of m must be of a form with an exit frame.
 template <auto Out, auto M, class Turn, class V>
 MALUS_INLINE constexpr void turn_exit(const Turn& turn, const V* m, V* out) {
-  for_each_slot<Out>([&]<int R, int C>() {
-    if constexpr (slot(M, R, C) >= 0)
-      out[slot(Out, R, C)] = m[slot(M, R, C)];
-    else
-      out[slot(Out, R, C)] = V(0);
-  });
-  [&]<int... C>(std::integer_sequence<int, C...>) {
-    (
-        [&] {
-          if constexpr (slot(Out, 1, C) >= 0)
-            rotate(turn, out[slot(Out, 1, C)], out[slot(Out, 2, C)]);
-        }(),
-        ...);
-  }
-  (std::make_integer_sequence<int, 4>{});
+  turn_column<Out, M, 0>(turn, m, out);
+  turn_column<Out, M, 1>(turn, m, out);
+  turn_column<Out, M, 2>(turn, m, out);
+  turn_column<Out, M, 3>(turn, m, out);
 }
 
 /// m = m·R⁻¹ in place: the enter frame turned by R, for matrices of a form with whole rows.
@@ -114,11 +193,6 @@ constexpr auto turned_form() {
   else
     return M;
 }
-template <auto M>
-inline constexpr std::size_t layout_size = value_count(M);
-template <>
-inline constexpr std::size_t layout_size<turned_block> = 12;
-
 template <auto N>
 constexpr bool is_one_row() {
   if constexpr (std::is_same_v<decltype(N), MuellerForm>)
@@ -135,6 +209,8 @@ MALUS_INLINE constexpr void multiply_turned(const V* n, const Turn& turn, const 
     V row[4] = {n[0], n[1], n[2], n[3]};
     rotate(turn.inverse(), row[1], row[2]);
     multiply<Out, N, M>(static_cast<const V*>(row), m, out);
+  } else if constexpr (layout_size<N> == 16 && layout_size<M> == 16 && has_wide_rows<V>) {
+    multiply_full(n, turn, m, out);
   } else {
     constexpr auto T = turned_form<M>();
     V turned[layout_size<T>];
@@ -151,26 +227,15 @@ MALUS_INLINE constexpr void multiply_blocks(const V* n, scalar_t<V> sign, const 
       n, static_cast<const V*>(turned), out);
 }
 
-/// Component R of m·s.
-template <auto M, StokesForm S, int R, int K = 0, class V>
-MALUS_INLINE constexpr V apply_entry(const V* m, const V* s) {
-  constexpr auto has = [](int k) { return slot(M, R, k) >= 0 && slot(S, k) >= 0; };
-  constexpr bool later = (K < 1 && has(1)) || (K < 2 && has(2)) || (K < 3 && has(3));
-  if constexpr (!has(K) && later)
-    return apply_entry<M, S, R, K + 1>(m, s);
-  else if constexpr (!has(K))
-    return V(0);
-  else if constexpr (later)
-    return m[slot(M, R, K)] * s[slot(S, K)] + apply_entry<M, S, R, K + 1>(m, s);
-  else
-    return m[slot(M, R, K)] * s[slot(S, K)];
-}
+template <std::size_t Count, auto M, StokesForm S>
+inline constexpr Terms apply_terms = list_terms(
+    static_cast<int>(Count), 1, [](int r, int) { return r; },
+    [](int r, int k) { return slot(M, r, k); }, [](int k, int) { return slot(S, k); });
 
 /// out = m·s of `Count` components.
 template <std::size_t Count, auto M, StokesForm S, class V>
 MALUS_INLINE constexpr void apply(const V* m, const V* s, V* out) {
-  [&]<int... R>(std::integer_sequence<int, R...>) { ((out[R] = apply_entry<M, S, R>(m, s)), ...); }
-  (std::make_integer_sequence<int, static_cast<int>(Count)>{});
+  add_terms<apply_terms<Count, M, S>, Count>(m, s, out);
 }
 
 /// out = m·R·s, where R expresses the Stokes vector's frame in m's enter frame.
@@ -185,28 +250,23 @@ MALUS_INLINE constexpr void apply_turned(const V* m, const Turn& turn, const V* 
   }
 }
 
-/// Component C of the row w·m, of `Count` components.
+template <std::size_t Count, StokesForm W, MuellerForm M>
+inline constexpr Terms row_terms = list_terms(
+    1, static_cast<int>(Count), [](int, int c) { return c; }, [](int, int k) { return slot(W, k); },
+    [](int k, int c) { return slot(M, k, c); });
+
+/// out = the row w·m of `Count` components.
 template <std::size_t Count, StokesForm W, MuellerForm M, class V>
 MALUS_INLINE constexpr void apply_row(const V* w, const V* m, V* out) {
-  for (std::size_t c = 0; c < Count; ++c) out[c] = V(0);
-  [&]<int... I>(std::integer_sequence<int, I...>) {
-    (
-        [&] {
-          constexpr int k = I / 4, c = I % 4;
-          if constexpr (slot(W, k) >= 0 && slot(M, k, c) >= 0 && c < static_cast<int>(Count))
-            out[c] = out[c] + w[slot(W, k)] * m[slot(M, k, c)];
-        }(),
-        ...);
-  }
-  (std::make_integer_sequence<int, 16>{});
+  add_terms<row_terms<Count, W, M>, Count>(w, m, out);
 }
 
 /// All 16 components by rows of a matrix of any form.
 template <auto Form, class V>
 MALUS_INLINE constexpr void expand(const V* m, V* rows) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
+  [&]<int... I>(std::integer_sequence<int, I...>) MALUS_INLINE_LAMBDA {
     (
-        [&] {
+        [&]() MALUS_INLINE_LAMBDA {
           if constexpr (slot(Form, I / 4, I % 4) >= 0)
             rows[I] = m[slot(Form, I / 4, I % 4)];
           else
@@ -220,7 +280,8 @@ MALUS_INLINE constexpr void expand(const V* m, V* rows) {
 /// The values that a form keeps of 16 components by rows; what the form has as zero must be zero.
 template <auto Form, class V>
 MALUS_INLINE constexpr void compress(const V* rows, V* m) {
-  for_each_slot<Form>([&]<int R, int C>() { m[slot(Form, R, C)] = rows[4 * R + C]; });
+  for_each_slot<Form>([&]<int R, int C>()
+                          MALUS_INLINE_LAMBDA { m[slot(Form, R, C)] = rows[4 * R + C]; });
 }
 
 }  // namespace malus::detail

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include <malus/optics/turned.hpp>
 #include <malus/product.hpp>
 
 namespace malus {
@@ -24,12 +25,9 @@ BlockMueller<V, incident, exitant, F> linear_diattenuator(const V& along_x, cons
 }
 
 /// The same with x at θ radians, counter-clockwise in the receiver's view.
-template <SpectralValue V, std::floating_point T>
-requires std::same_as<T, scalar_t<V>> BlockMueller<V> linear_diattenuator(const V& along_x,
-                                                                          const V& along_y,
-                                                                          const Frame<T>& frame,
-                                                                          T theta) {
-  return linear_diattenuator(along_x, along_y, frame.turned(theta));
+template <SpectralValue V, FrameType F>
+auto linear_diattenuator(const V& along_x, const V& along_y, const F& frame, scalar_t<V> theta) {
+  return turned(linear_diattenuator(along_x, along_y, frame), theta);
 }
 
 /// The general diattenuator (Lu & Chipman 1996): mean transmittance T and diattenuation vector D =

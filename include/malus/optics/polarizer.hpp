@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <malus/mueller.hpp>
+#include <malus/optics/turned.hpp>
 
 namespace malus {
 
@@ -18,23 +19,11 @@ constexpr BlockMueller<V, incident, exitant, F> linear_polarizer(const V& transm
                                                       {none, none, none, none}, frame, frame);
 }
 
-/// P(θ): passes light polarised at θ radians, counter-clockwise from x in the receiver's view.
-template <SpectralValue V, std::floating_point T>
-requires std::same_as<T, scalar_t<V>> BlockMueller<V> linear_polarizer(const V& transmittance,
-                                                                       const Frame<T>& frame,
-                                                                       T theta) {
-  return linear_polarizer(transmittance, frame.turned(theta));
-}
-template <SpectralValue V, StaticFrameType F>
-constexpr FullMueller<V, incident, exitant, F> linear_polarizer(const V& transmittance, const F&,
-                                                                scalar_t<V> theta) {
-  using T = scalar_t<V>;
-  const T c = std::cos(2 * theta), s = std::sin(2 * theta);
-  const V a = V(T(0.5)) * transmittance, none = V(0);
-  return FullMueller<V, incident, exitant, F>::from_rows({{{a, c * a, s * a, none},
-                                                           {c * a, c * c * a, s * c * a, none},
-                                                           {s * a, s * c * a, s * s * a, none},
-                                                           {none, none, none, none}}});
+/// P(θ): passes light polarised at θ radians, counter-clockwise from x in the receiver's view. A
+/// block in a turned run-time frame; full in a static one.
+template <SpectralValue V, FrameType F>
+auto linear_polarizer(const V& transmittance, const F& frame, scalar_t<V> theta) {
+  return turned(linear_polarizer(transmittance, frame), theta);
 }
 
 enum class Handedness { right, left };  ///< In the receiver's view; right is S3 > 0.

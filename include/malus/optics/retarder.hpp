@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include <malus/optics/turned.hpp>
 #include <malus/product.hpp>
 
 namespace malus {
@@ -25,12 +26,9 @@ BlockMueller<V, incident, exitant, F> linear_retarder(const V& transmittance, co
 
 /// Q(φ) with the fast axis at θ radians, counter-clockwise from x in the receiver's view: R(−θ)
 /// Q(φ) R(θ).
-template <SpectralValue V, std::floating_point T>
-requires std::same_as<T, scalar_t<V>> BlockMueller<V> linear_retarder(const V& transmittance,
-                                                                      const V& phase,
-                                                                      const Frame<T>& frame,
-                                                                      T theta) {
-  return linear_retarder(transmittance, phase, frame.turned(theta));
+template <SpectralValue V, FrameType F>
+auto linear_retarder(const V& transmittance, const V& phase, const F& frame, scalar_t<V> theta) {
+  return turned(linear_retarder(transmittance, phase, frame), theta);
 }
 
 /// The general retarder: `fast` is the unit vector (S1, S2, S3) of the polarisation that is ahead
