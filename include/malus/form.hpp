@@ -46,7 +46,7 @@ enum class ImportanceForm : std::uint8_t {
 
 inline constexpr std::size_t stokes_forms = 3, mueller_forms = 8, importance_forms = 4;
 
-// what a form stores
+// What a form stores
 
 constexpr std::size_t value_count(StokesForm f) {
   constexpr std::size_t count[] = {0, 1, 4, 4};
@@ -76,7 +76,7 @@ constexpr bool is_collinear(MuellerForm f) {
   return f == MuellerForm::plain || f == MuellerForm::partial;
 }
 
-// the multiplication table
+// The multiplication table
 
 /// The form of N·M. `coincident`: N's enter frame is M's exit frame up to quarter turns; only then
 /// do two blocks make a block.
@@ -129,7 +129,7 @@ constexpr ImportanceForm product_form(ImportanceForm w, MuellerForm m) {
   return ImportanceForm::full;
 }
 
-// the addition tables
+// The addition tables
 
 constexpr StokesForm sum_form(StokesForm a, StokesForm b) { return a < b ? b : a; }
 
@@ -173,7 +173,7 @@ constexpr MuellerForm adjoint_form(MuellerForm m) {
   return m;
 }
 
-// where a form keeps component (row, column)
+// Where a form keeps component (row, column)
 
 namespace detail {
 

@@ -11,7 +11,7 @@
 
 namespace malus {
 
-// what a component holds
+// What a component holds
 
 template <std::floating_point T, std::size_t N>
   requires(N >= 1)
@@ -44,7 +44,7 @@ using scalar_t = typename detail::ValueTraits<V>::scalar;
 template <SpectralValue V>
 inline constexpr std::size_t channel_count = detail::ValueTraits<V>::channels;
 
-// what it is expressed in
+// What it is expressed in
 
 template <std::floating_point T>
 class Frame;
@@ -74,7 +74,7 @@ concept RuntimeFrameType = detail::is_runtime_frame<F>;
 template <class F>
 concept FrameType = StaticFrameType<F> || RuntimeFrameType<F>;
 
-// the quantities
+// The quantities
 
 template <SpectralValue V, SideTag Side = exitant, FrameType F = Frame<scalar_t<V>>,
           StokesForm Form = detail::default_form<F, StokesForm>>
@@ -117,7 +117,7 @@ template <SpectralValue V, SideTag In = incident, SideTag Out = exitant,
           FrameType FI = Frame<scalar_t<V>>, FrameType FO = FI>
 using FullMueller = Mueller<V, In, Out, FI, FO, MuellerForm::full>;
 
-// which quantity a type is
+// Which quantity a type is
 
 template <class Q>
 inline constexpr bool is_stokes = false;

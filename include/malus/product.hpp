@@ -327,7 +327,7 @@ MALUS_INLINE constexpr auto inner_product(const S& s, const T& t) {
   return detail::dot_product(s, t, "inner_product");
 }
 
-// scaling
+// Scaling
 
 namespace detail {
 template <class Q>
@@ -366,7 +366,7 @@ MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) {
   return q = q * k;
 }
 
-// what does not compile, and why
+// What does not compile, and why
 
 namespace detail {
 template <class A, class B>

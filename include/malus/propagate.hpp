@@ -75,7 +75,7 @@ MALUS_INLINE constexpr auto propagate(const W& w, const T& transmittance) {
   return w * transmittance;
 }
 
-// what does not compile, and why
+// What does not compile, and why
 
 namespace detail {
 /// Light that has arrived, or importance that measures light before it leaves: the other end of

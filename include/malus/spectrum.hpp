@@ -153,7 +153,7 @@ requires(N >= 1) class Spectrum {
   detail::Lanes<T> group_[groups];
 };
 
-// one vocabulary for a scalar and a Spectrum
+// One vocabulary for a scalar and a Spectrum
 
 /// Channel i of a value; a plain scalar has the one channel 0.
 template <SpectralValue V>

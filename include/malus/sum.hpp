@@ -231,7 +231,7 @@ MALUS_INLINE constexpr A& operator+=(A& a, const B& b) {
   return a = a + b;
 }
 
-// what does not compile, and why
+// What does not compile, and why
 
 namespace detail {
 template <class A, class B>

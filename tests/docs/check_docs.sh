@@ -8,6 +8,7 @@
 #   - a line `<!-- case: NAME -->` is followed by the code of tests/compile_fail/NAME.cpp (or of one beside this script) and
 #     by what g++ 12 says to it, without the paths and the line numbers of headers. Both must be what they are now;
 #     --update writes them anew. Other compilers have other words: with them, only the programs are compiled;
+#   - every line that form_tables.cpp prints stands in docs/forms.md;
 #   - a test that docs/paper.md names in typographic quotes has that name, and files that it names are there.
 set -uo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit 2
@@ -133,6 +134,14 @@ for page in README.md docs/*.md; do
   fi
 done
 
+if "$compiler" "${flags[@]}" tests/docs/form_tables.cpp -o "$work/form_tables"; then
+  while IFS= read -r line; do
+    grep -qxF -- "$line" docs/forms.md || complain "docs/forms.md lacks the line: $line"
+  done < <("$work/form_tables")
+else
+  complain "tests/docs/form_tables.cpp does not compile"
+fi
+
 named=0
 cat tests/{unit,property,renderer}/*.cpp >"$work/tests.txt"
 while IFS= read -r name; do
@@ -145,9 +154,8 @@ done < <(grep -oE '`(unit|property|renderer|static|compile_fail)/[a-z_0-9.]+`' d
 ((named > 0)) || complain "docs/paper.md names no test"
 
 # The right expressions of tests/compile_fail are compiled there.
-for source in tests/docs/*.cpp; do
-  "$compiler" "${flags[@]}" -fsyntax-only "$source" || complain "$source: the right expression does not compile"
-done
+"$compiler" "${flags[@]}" -fsyntax-only tests/docs/wrong_order.cpp ||
+  complain "tests/docs/wrong_order.cpp: the right expression does not compile"
 
 ((pages > 0)) || complain "no page has any code"
 echo "check_docs: $pages pages with code, $cases cases, $named tests named, $failures failures"

@@ -8,7 +8,8 @@ using Light = Stokes<Rgb, exitant>;            // leaves a vertex, in a frame of
 using Bsdf = Mueller<Rgb, incident, exitant>;  // what a vertex makes of light that arrives there
 using Sensor = Importance<Rgb, incident>;      // four readings of what arrives at the sensor
 
-Measurement<Rgb> path(const Light& lamp, const Bsdf& first, const Bsdf& second, const Sensor& sensor) {
+Measurement<Rgb> path(const Light& lamp, const Bsdf& first, const Bsdf& second,
+                      const Sensor& sensor) {
 #ifdef MALUS_FAIL
   return propagate(lamp) * first * second * sensor;
 #else
