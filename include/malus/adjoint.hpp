@@ -10,19 +10,21 @@ namespace malus {
 template <SpectralValue V, SideTag In, SideTag Out, FrameType FI, FrameType FO, MuellerForm Form>
 constexpr Mueller<V, Out, In, FO, FI, adjoint_form(Form)> adjoint(
     const Mueller<V, In, Out, FI, FO, Form>& m) {
-  Mueller<V, Out, In, FO, FI, adjoint_form(Form)> result;
+  using Result = Mueller<V, Out, In, FO, FI, adjoint_form(Form)>;
+  Result result = detail::Access::make<Result>();
   const auto* values = detail::Access::values(m);
   auto* out = detail::Access::values(result);
-  const auto transpose = [&](auto f) {
+  const auto transpose = [&](auto f) MALUS_INLINE_LAMBDA {
     constexpr MuellerForm A = adjoint_form(f());
-    detail::for_each_slot<A>(
-        [&]<int R, int C>() { out[detail::slot(A, R, C)] = values[detail::slot(f(), C, R)]; });
+    detail::for_each_slot<A>([&]<int R, int C>() MALUS_INLINE_LAMBDA {
+      out[detail::slot(A, R, C)] = values[detail::slot(f(), C, R)];
+    });
     if constexpr (Form == MuellerForm::dynamic)
       detail::Access::flag(result) = detail::FormFlag<MuellerForm::dynamic>(A);
-    if constexpr (needs_enter_frame(f()) && RuntimeFrameType<FI>)
-      detail::Access::exit(result).frame = m.enter();
-    if constexpr (needs_exit_frame(f()) && RuntimeFrameType<FO>)
-      detail::Access::enter(result).frame = m.exit();
+    if constexpr (needs_enter_frame(f()))
+      detail::copy_frame(detail::Access::exit(result), detail::Access::enter(m));
+    if constexpr (needs_exit_frame(f()))
+      detail::copy_frame(detail::Access::enter(result), detail::Access::exit(m));
   };
   if constexpr (Form == MuellerForm::dynamic)
     detail::with_form(m.form(), transpose);

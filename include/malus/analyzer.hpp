@@ -85,6 +85,8 @@ class Analyzer {
 
  private:
   friend struct detail::Access;
+  constexpr explicit Analyzer(detail::Uninitialized) {}
+
   template <SpectralValue, SideTag, FrameType, StokesForm>
   friend class Analyzer;
 

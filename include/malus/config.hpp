@@ -24,12 +24,15 @@
 #endif
 #endif
 
+// MALUS_INLINE_LAMBDA is MALUS_INLINE for a lambda, after its parameters.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define MALUS_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
 #define MALUS_INLINE __forceinline
+#define MALUS_INLINE_LAMBDA
 #else
 #define MALUS_NO_UNIQUE_ADDRESS [[no_unique_address]]
 #define MALUS_INLINE inline __attribute__((always_inline))
+#define MALUS_INLINE_LAMBDA __attribute__((always_inline))
 #endif
 
 namespace malus {

@@ -129,6 +129,8 @@ class Importance {
 
  private:
   friend struct detail::Access;
+  constexpr explicit Importance(detail::Uninitialized) {}
+
   template <SpectralValue, SideTag, FrameType, ImportanceForm>
   friend class Importance;
 

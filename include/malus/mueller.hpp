@@ -177,6 +177,8 @@ class Mueller {
 
  private:
   friend struct detail::Access;
+  constexpr explicit Mueller(detail::Uninitialized) {}
+
   template <SpectralValue, SideTag, SideTag, FrameType, FrameType, MuellerForm>
   friend class Mueller;
 

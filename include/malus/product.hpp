@@ -37,15 +37,54 @@ MALUS_INLINE constexpr void set_form(Q& q) {
   if constexpr (Q::is_dynamic) Access::flag(q) = FormFlag<Q::static_form>(Form);
 }
 
+/// The result that f(fa, fb, a, b, result) makes, told both forms as constants, where one of them
+/// is a flag. A function of its own: a table of all pairs of forms is not to be had at every place
+/// where two quantities meet.
+template <class Result, class A, class B, class F>
+constexpr Result combine_flagged(const A& a, const B& b, F f) {
+  Result result = Access::make<Result>();
+  visit_form(a, [&](auto fa) MALUS_INLINE_LAMBDA {
+    visit_form(b, [&](auto fb) MALUS_INLINE_LAMBDA { f(fa, fb, a, b, result); });
+  });
+  return result;
+}
+template <class Result, class A, class B, class F>
+MALUS_INLINE constexpr Result combine_fixed(const A& a, const B& b, F f) {
+  Result result = Access::make<Result>();
+  f(FormConstant<A::static_form>{}, FormConstant<B::static_form>{}, a, b, result);
+  return result;
+}
+/// The same; where both forms are types, in place.
+template <class Result, class A, class B, class F>
+MALUS_INLINE constexpr Result combine(const A& a, const B& b, F f) {
+  if constexpr (A::is_dynamic || B::is_dynamic)
+    return combine_flagged<Result>(a, b, f);
+  else
+    return combine_fixed<Result>(a, b, f);
+}
+
 /// G F⁻¹ from one slot to another, of static or of run-time frames.
 template <class From, class To>
 MALUS_INLINE constexpr auto turn_between(const From& from, const To& to, const char* operation) {
   return rotation(from.get(), to.get(), operation);
 }
 
-template <class To, class From>
-MALUS_INLINE constexpr void copy_frame(To& to, const From& from) {
-  if constexpr (requires { to.frame; }) to.frame = from.frame;
+/// A quantity of the same form and frames whose values are f of these. What the form doesn't have
+/// is not copied.
+template <class To, class From, class F>
+MALUS_INLINE constexpr To mapped(const From& from, F&& f) {
+  To to = Access::make<To>();
+  visit_form(from, [&](auto form) MALUS_INLINE_LAMBDA {
+    map_values<value_count(form())>(f, Access::values(from), Access::values(to));
+    if constexpr (MuellerType<From>) {
+      if constexpr (needs_enter_frame(form())) copy_frame(Access::enter(to), Access::enter(from));
+      if constexpr (needs_exit_frame(form())) copy_frame(Access::exit(to), Access::exit(from));
+    } else {
+      if constexpr (needs_frame(form())) copy_frame(Access::frame(to), Access::frame(from));
+    }
+  });
+  Access::flag(to) = Access::flag(from);
+  return to;
 }
 
 // What a quantity emits to its left and expects from its right: the spaces that must agree.
@@ -124,11 +163,12 @@ template <MuellerType M, StokesType S>
   requires Composable<M, S>
 MALUS_INLINE constexpr auto operator*(const M& m, const S& s) {
   constexpr StokesForm R = product_form(M::static_form, S::static_form);
-  Stokes<typename S::value_type, typename M::out_side, typename M::exit_frame_type, R> result;
-  detail::visit_form(m, [&](auto fm) {
-    detail::visit_form(s, [&](auto fs) { detail::apply_into<fm(), fs()>(m, s, result); });
-  });
-  return result;
+  using Result =
+      Stokes<typename S::value_type, typename M::out_side, typename M::exit_frame_type, R>;
+  return detail::combine<Result>(
+      m, s, [](auto fa, auto fb, const auto& a, const auto& b, auto& result) MALUS_INLINE_LAMBDA {
+        detail::apply_into<fa(), fb()>(a, b, result);
+      });
 }
 
 // Mueller · Mueller
@@ -178,13 +218,12 @@ template <MuellerType N, MuellerType M>
 MALUS_INLINE constexpr auto operator*(const N& n, const M& m) {
   constexpr bool coincident = StaticFrameType<typename N::enter_frame_type>;
   constexpr MuellerForm R = product_form(N::static_form, M::static_form, coincident);
-  Mueller<typename N::value_type, typename M::in_side, typename N::out_side,
-          typename M::enter_frame_type, typename N::exit_frame_type, R>
-      result;
-  detail::visit_form(n, [&](auto fn) {
-    detail::visit_form(m, [&](auto fm) { detail::multiply_into<fn(), fm()>(n, m, result); });
-  });
-  return result;
+  using Result = Mueller<typename N::value_type, typename M::in_side, typename N::out_side,
+                         typename M::enter_frame_type, typename N::exit_frame_type, R>;
+  return detail::combine<Result>(
+      n, m, [](auto fa, auto fb, const auto& a, const auto& b, auto& result) MALUS_INLINE_LAMBDA {
+        detail::multiply_into<fa(), fb()>(a, b, result);
+      });
 }
 
 // Importance · Mueller and Importance · Stokes
@@ -217,19 +256,20 @@ template <ImportanceType W, MuellerType M>
   requires Composable<W, M>
 MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
   constexpr ImportanceForm R = product_form(W::static_form, M::static_form);
-  Importance<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R> result;
-  detail::visit_form(w, [&](auto fw) {
-    detail::visit_form(m, [&](auto fm) { detail::measure_into<fw(), fm()>(w, m, result); });
-  });
-  return result;
+  using Result =
+      Importance<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R>;
+  return detail::combine<Result>(
+      w, m, [](auto fa, auto fb, const auto& a, const auto& b, auto& result) MALUS_INLINE_LAMBDA {
+        detail::measure_into<fa(), fb()>(a, b, result);
+      });
 }
 
 template <ImportanceType W, StokesType S>
   requires Composable<W, S>
 MALUS_INLINE constexpr auto operator*(const W& w, const S& s) {
   using V = typename W::value_type;
-  return detail::visit_form(w, [&](auto fw) {
-    return detail::visit_form(s, [&](auto fs) {
+  return detail::visit_form(w, [&](auto fw) MALUS_INLINE_LAMBDA {
+    return detail::visit_form(s, [&](auto fs) MALUS_INLINE_LAMBDA {
       if constexpr (fw() == ImportanceForm::zero || fs() == StokesForm::zero) {
         return Measurement<V>();
       } else {
@@ -281,8 +321,8 @@ template <class A, class B>
 MALUS_INLINE constexpr typename A::value_type dot_product(const A& w, const B& s,
                                                           const char* operation) {
   using V = typename A::value_type;
-  return visit_form(w, [&](auto fw) {
-    return visit_form(s, [&](auto fs) {
+  return visit_form(w, [&](auto fw) MALUS_INLINE_LAMBDA {
+    return visit_form(s, [&](auto fs) MALUS_INLINE_LAMBDA {
       if constexpr (fw() == StokesForm::zero || fs() == StokesForm::zero) {
         return V(0);
       } else {
@@ -306,11 +346,12 @@ template <AnalyzerType W, MuellerType M>
   requires Composable<W, M>
 MALUS_INLINE constexpr auto operator*(const W& w, const M& m) {
   constexpr StokesForm R = row_product_form(W::static_form, M::static_form);
-  Analyzer<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R> result;
-  detail::visit_form(w, [&](auto fw) {
-    detail::visit_form(m, [&](auto fm) { detail::filter_into<fw(), fm()>(w, m, result); });
-  });
-  return result;
+  using Result =
+      Analyzer<typename W::value_type, typename M::in_side, typename M::enter_frame_type, R>;
+  return detail::combine<Result>(
+      w, m, [](auto fa, auto fb, const auto& a, const auto& b, auto& result) MALUS_INLINE_LAMBDA {
+        detail::filter_into<fa(), fb()>(a, b, result);
+      });
 }
 
 template <AnalyzerType W, StokesType S>
@@ -336,10 +377,8 @@ concept Scalable = StokesType<Q> || MuellerType<Q> || ImportanceType<Q> || Analy
 
 /// Scaling by a value a channel. Forms and frames stay.
 template <detail::Scalable Q>
-MALUS_INLINE constexpr Q operator*(Q q, const typename Q::value_type& k) {
-  const std::size_t count = value_count(q.form());
-  for (std::size_t i = 0; i < count; ++i) detail::Access::values(q)[i] *= k;
-  return q;
+MALUS_INLINE constexpr Q operator*(const Q& q, const typename Q::value_type& k) {
+  return detail::mapped<Q>(q, [&](const auto& value) MALUS_INLINE_LAMBDA { return value * k; });
 }
 template <detail::Scalable Q>
 MALUS_INLINE constexpr Q operator*(const typename Q::value_type& k, const Q& q) {

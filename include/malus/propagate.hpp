@@ -14,17 +14,7 @@ namespace detail {
 /// The same values, frames and form in another space. Every change of side goes through here.
 template <class To, class From>
 MALUS_INLINE constexpr To retag(const From& from) {
-  To to;
-  for (std::size_t i = 0; i < value_count(from.form()); ++i)
-    Access::values(to)[i] = Access::values(from)[i];
-  Access::flag(to) = Access::flag(from);
-  if constexpr (MuellerType<From>) {
-    copy_frame(Access::enter(to), Access::enter(from));
-    copy_frame(Access::exit(to), Access::exit(from));
-  } else {
-    copy_frame(Access::frame(to), Access::frame(from));
-  }
-  return to;
+  return mapped<To>(from, [](const auto& value) MALUS_INLINE_LAMBDA { return value; });
 }
 
 }  // namespace detail

@@ -18,13 +18,6 @@
 #include <malus/config.hpp>
 #include <malus/fwd.hpp>
 
-/// MALUS_INLINE for a lambda, after its parameters.
-#if defined(__GNUC__) || defined(__clang__)
-#define MALUS_INLINE_LAMBDA __attribute__((always_inline))
-#else
-#define MALUS_INLINE_LAMBDA
-#endif
-
 namespace malus {
 
 namespace detail {
@@ -79,7 +72,8 @@ MALUS_INLINE Lanes<T> broadcast(T x) {
 /// N values of one quantity, one a wavelength or colour channel. T is float or double. Trivial: a
 /// default-constructed Spectrum is uninitialised, as a float is; Spectrum(0) is zero.
 template <std::floating_point T, std::size_t N>
-requires(N >= 1) class Spectrum {
+  requires(N >= 1)
+class Spectrum {
  public:
   using scalar_type = T;
   static constexpr std::size_t channels = N;
@@ -93,8 +87,8 @@ requires(N >= 1) class Spectrum {
 
   /// One value a channel, in the order of the channels.
   template <std::convertible_to<T>... U>
-  requires(sizeof...(U) == N && N > 1) MALUS_INLINE Spectrum(U... value)
-      : Spectrum(std::array<T, N>{static_cast<T>(value)...}) {}
+    requires(sizeof...(U) == N && N > 1)
+  MALUS_INLINE Spectrum(U... value) : Spectrum(std::array<T, N>{static_cast<T>(value)...}) {}
 
   MALUS_INLINE explicit Spectrum(const std::array<T, N>& value) {
     for (auto& g : group_) g = detail::broadcast(T(0));
@@ -134,9 +128,21 @@ requires(N >= 1) class Spectrum {
   friend MALUS_INLINE Spectrum operator-(Spectrum a, const Spectrum& b) { return a -= b; }
   friend MALUS_INLINE Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }
   friend MALUS_INLINE Spectrum operator/(Spectrum a, const Spectrum& b) { return a /= b; }
-  friend MALUS_INLINE Spectrum operator*(Spectrum a, T k) requires(N > 1) { return a *= k; }
-  friend MALUS_INLINE Spectrum operator*(T k, Spectrum a) requires(N > 1) { return a *= k; }
-  friend MALUS_INLINE Spectrum operator/(Spectrum a, T k) requires(N > 1) { return a /= k; }
+  friend MALUS_INLINE Spectrum operator*(Spectrum a, T k)
+    requires(N > 1)
+  {
+    return a *= k;
+  }
+  friend MALUS_INLINE Spectrum operator*(T k, Spectrum a)
+    requires(N > 1)
+  {
+    return a *= k;
+  }
+  friend MALUS_INLINE Spectrum operator/(Spectrum a, T k)
+    requires(N > 1)
+  {
+    return a /= k;
+  }
   friend MALUS_INLINE Spectrum operator-(Spectrum a) {
     for (auto& g : a.group_) g = -g;
     return a;

@@ -23,8 +23,15 @@ namespace malus {
 
 namespace detail {
 
+/// Asks for a quantity of which nothing is set: what a product starts from.
+struct Uninitialized {};
+
 /// Gives products and propagation access to the values, whichever the form; users go by components.
 struct Access {
+  template <class Q>
+  static constexpr Q make() {
+    return Q(Uninitialized{});
+  }
   template <class Q>
   static constexpr auto* values(Q& q) {
     return q.value_.data();
@@ -66,6 +73,12 @@ struct FrameSlot<F, Which, true> {
   constexpr explicit FrameSlot(const F& f) : frame(f) {}
   constexpr const F& get() const { return frame; }
 };
+
+/// Copies a frame from slot to slot, where there is one to copy.
+template <class To, class From>
+MALUS_INLINE constexpr void copy_frame(To& to, const From& from) {
+  if constexpr (requires { to.frame; }) to.frame = from.frame;
+}
 
 }  // namespace detail
 
@@ -171,16 +184,16 @@ class Stokes {
   constexpr Stokes expressed_in(const F& frame, const Rotation<scalar_type>& turn) const
     requires(RuntimeFrameType<F>)
   {
-    Stokes s = *this;
-    if (needs_frame(form())) {
-      rotate(turn, s.value_[1], s.value_[2]);
-      s.frame_ = decltype(frame_)(frame);
-    }
-    return s;
+    if (!needs_frame(form())) return *this;
+    V s1 = value_[1], s2 = value_[2];
+    rotate(turn, s1, s2);
+    return {value_[0], s1, s2, value_[3], frame};
   }
 
  private:
   friend struct detail::Access;
+  constexpr explicit Stokes(detail::Uninitialized) {}
+
   template <SpectralValue, SideTag, FrameType, StokesForm>
   friend class Stokes;
 

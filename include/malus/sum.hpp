@@ -47,35 +47,29 @@ concept Summable = detail::SameKind<A, B> && detail::SameValue<A, B> && detail::
 namespace detail {
 
 /// a + b of two quantities of four components and one frame.
-template <class Result, class A, class B>
-MALUS_INLINE constexpr Result add_vectors(const A& a, const B& b, const char* operation) {
-  Result result;
-  visit_form(a, [&](auto fa) {
-    visit_form(b, [&](auto fb) {
-      constexpr StokesForm R = sum_form(fa(), fb());
-      set_form<R>(result);
-      if constexpr (R != StokesForm::zero) {
-        const auto *av = Access::values(a), *bv = Access::values(b);
-        auto* out = Access::values(result);
-        constexpr std::size_t na = value_count(fa()), nb = value_count(fb());
-        typename A::value_type turned[nb > 0 ? nb : 1];
-        for (std::size_t i = 0; i < nb; ++i) turned[i] = bv[i];
-        if constexpr (fa() == StokesForm::full && fb() == StokesForm::full)
-          rotate(turn_between(Access::frame(b), Access::frame(a), operation), turned[1], turned[2]);
-        for (std::size_t i = 0; i < value_count(R); ++i) {
-          if (i < na && i < nb)
-            out[i] = av[i] + turned[i < nb ? i : 0];
-          else
-            out[i] = i < na ? av[i] : turned[i < nb ? i : 0];
-        }
-        if constexpr (fa() == StokesForm::full)
-          copy_frame(Access::frame(result), Access::frame(a));
-        else if constexpr (fb() == StokesForm::full)
-          copy_frame(Access::frame(result), Access::frame(b));
-      }
-    });
-  });
-  return result;
+template <StokesForm FA, StokesForm FB, class A, class B, class Result>
+MALUS_INLINE constexpr void add_vectors(const A& a, const B& b, const char* operation,
+                                        Result& result) {
+  constexpr StokesForm R = sum_form(FA, FB);
+  set_form<R>(result);
+  const auto *av = Access::values(a), *bv = Access::values(b);
+  auto* out = Access::values(result);
+  if constexpr (FA == StokesForm::full && FB == StokesForm::full) {
+    typename A::value_type b1 = bv[1], b2 = bv[2];
+    rotate(turn_between(Access::frame(b), Access::frame(a), operation), b1, b2);
+    const typename A::value_type sum[4] = {av[0] + bv[0], av[1] + b1, av[2] + b2, av[3] + bv[3]};
+    copy_values<4>(sum, out);
+  } else if constexpr (FA == StokesForm::zero) {
+    copy_values<value_count(FB)>(bv, out);
+  } else {
+    const typename A::value_type first = FB == StokesForm::zero ? av[0] : av[0] + bv[0];
+    copy_values<value_count(R)>(R == FA ? av : bv, out);
+    out[0] = first;
+  }
+  if constexpr (FA == StokesForm::full)
+    copy_frame(Access::frame(result), Access::frame(a));
+  else if constexpr (FB == StokesForm::full)
+    copy_frame(Access::frame(result), Access::frame(b));
 }
 
 }  // namespace detail
@@ -85,7 +79,10 @@ template <StokesType A, StokesType B>
 MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
   using Result = Stokes<typename A::value_type, typename A::side, typename A::frame_type,
                         sum_form(A::static_form, B::static_form)>;
-  return detail::add_vectors<Result>(a, b, "Stokes + Stokes");
+  return detail::combine<Result>(
+      a, b, [](auto fa, auto fb, const auto& x, const auto& y, auto& result) MALUS_INLINE_LAMBDA {
+        detail::add_vectors<fa(), fb()>(x, y, "Stokes + Stokes", result);
+      });
 }
 
 template <AnalyzerType A, AnalyzerType B>
@@ -93,7 +90,10 @@ template <AnalyzerType A, AnalyzerType B>
 MALUS_INLINE constexpr auto operator+(const A& a, const B& b) {
   using Result = Analyzer<typename A::value_type, typename A::side, typename A::frame_type,
                           sum_form(A::static_form, B::static_form)>;
-  return detail::add_vectors<Result>(a, b, "Analyzer + Analyzer");
+  return detail::combine<Result>(
+      a, b, [](auto fa, auto fb, const auto& x, const auto& y, auto& result) MALUS_INLINE_LAMBDA {
+        detail::add_vectors<fa(), fb()>(x, y, "Analyzer + Analyzer", result);
+      });
 }
 
 // Mueller + Mueller

@@ -45,8 +45,7 @@ MALUS_INLINE constexpr void for_each_slot(F&& f) {
             f.template operator()<I / 4, I % 4>();
         }(),
         ...);
-  }
-  (std::make_integer_sequence<int, 16>{});
+  }(std::make_integer_sequence<int, 16>{});
 }
 
 // products as lists of multiplications
@@ -100,10 +99,8 @@ MALUS_INLINE constexpr void add_term(const Term& term, const V* a, const V* b, V
 /// to[i] = f(from[i]).
 template <std::size_t Count, class F, class V>
 MALUS_INLINE constexpr void map_values(F&& f, const V* from, V* to) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) MALUS_INLINE_LAMBDA {
-    ((to[I] = f(from[I])), ...);
-  }
-  (std::make_index_sequence<Count>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>)
+      MALUS_INLINE_LAMBDA { ((to[I] = f(from[I])), ...); }(std::make_index_sequence<Count>{});
 }
 template <std::size_t Count, class V>
 MALUS_INLINE constexpr void copy_values(const V* from, V* to) {
@@ -115,8 +112,7 @@ MALUS_INLINE constexpr void add_terms(const V* a, const V* b, V* out) {
   V sum[Size];
   [&]<std::size_t... I>(std::index_sequence<I...>) MALUS_INLINE_LAMBDA {
     (add_term(List.term[I], a, b, sum), ...);
-  }
-  (std::make_index_sequence<static_cast<std::size_t>(List.count)>{});
+  }(std::make_index_sequence<static_cast<std::size_t>(List.count)>{});
   copy_values<Size>(static_cast<const V*>(sum), out);
 }
 
@@ -273,8 +269,7 @@ MALUS_INLINE constexpr void expand(const V* m, V* rows) {
             rows[I] = V(0);
         }(),
         ...);
-  }
-  (std::make_integer_sequence<int, 16>{});
+  }(std::make_integer_sequence<int, 16>{});
 }
 
 /// The values that a form keeps of 16 components by rows; what the form has as zero must be zero.

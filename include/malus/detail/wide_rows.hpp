@@ -92,8 +92,7 @@ MALUS_INLINE void add_row(const typename RowLayout<V>::Row& factors,
           sum.piece[p] += factor * row.piece[p];
       }
     }
-  }
-  (std::make_index_sequence<lanes>{});
+  }(std::make_index_sequence<lanes>{});
 }
 
 template <class V>
