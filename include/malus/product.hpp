@@ -82,8 +82,8 @@ MALUS_INLINE constexpr To mapped(const From& from, F&& f) {
     } else {
       if constexpr (needs_frame(form())) copy_frame(Access::frame(to), Access::frame(from));
     }
+    set_form<form()>(to);
   });
-  Access::flag(to) = Access::flag(from);
   return to;
 }
 

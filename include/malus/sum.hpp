@@ -116,28 +116,53 @@ constexpr void add_frames_of(const M& m, SumFrames<typename M::scalar_type>& fra
     if (!frames.exit && needs_exit_frame(m.form())) frames.exit = &Access::exit(m).frame;
 }
 
-/// rows += m expressed in `frames`. Returns whether all turns needed were quarter turns.
+/// Turns the exit frame of rows; returns whether by quarter turns alone.
+template <class V, class T>
+constexpr bool turn_exit_of_rows(const Frame<T>& from, const Frame<T>& to, V* rows) {
+  const auto turn = rotation(from, to, "Mueller + Mueller");
+  for (std::size_t c = 0; c < 4; ++c) rotate(turn, rows[4 + c], rows[8 + c]);
+  return turn.is_quarter_turns();
+}
+template <class V, class T>
+constexpr bool turn_enter_of_rows(const Frame<T>& from, const Frame<T>& to, V* rows) {
+  const auto turn = rotation(from, to, "Mueller + Mueller");
+  for (std::size_t r = 0; r < 4; ++r) rotate(turn, rows[4 * r + 1], rows[4 * r + 2]);
+  return turn.is_quarter_turns();
+}
+
+/// rows = m expressed in `frames`. Returns whether all turns needed were quarter turns.
 template <class M>
-constexpr bool add_expressed(const M& m, const SumFrames<typename M::scalar_type>& frames,
-                             typename M::value_type* rows) {
-  using V = typename M::value_type;
-  V own[16];
-  visit_form(m, [&](auto f) { expand<f()>(Access::values(m), own); });
-  Rotation<typename M::scalar_type> enter_turn, exit_turn;
-  if constexpr (requires { Access::enter(m).frame; })
-    if (needs_enter_frame(m.form()) && frames.enter)
-      enter_turn = rotation(Access::enter(m).frame, *frames.enter, "Mueller + Mueller");
-  if constexpr (requires { Access::exit(m).frame; })
-    if (needs_exit_frame(m.form()) && frames.exit)
-      exit_turn = rotation(Access::exit(m).frame, *frames.exit, "Mueller + Mueller");
+constexpr bool express_rows(const M& m, const SumFrames<typename M::scalar_type>& frames,
+                            typename M::value_type* rows) {
+  visit_form(m, [&](auto f) { expand<f()>(Access::values(m), rows); });
+  bool coincident = true;
   // A collinear matrix is diagonal in any one frame: in two it is turned from the enter to the exit
   // frame.
-  if (is_collinear(m.form()) && frames.enter && frames.exit)
-    exit_turn = rotation(*frames.enter, *frames.exit, "Mueller + Mueller");
-  for (std::size_t c = 0; c < 4; ++c) rotate(exit_turn, own[4 + c], own[8 + c]);
-  for (std::size_t r = 0; r < 4; ++r) rotate(enter_turn, own[4 * r + 1], own[4 * r + 2]);
-  for (std::size_t i = 0; i < 16; ++i) rows[i] += own[i];
-  return enter_turn.is_quarter_turns() && exit_turn.is_quarter_turns();
+  if (is_collinear(m.form()) && frames.enter != frames.exit)
+    coincident = turn_exit_of_rows(*frames.enter, *frames.exit, rows);
+  if constexpr (requires { Access::exit(m).frame; })
+    if (const auto& own = Access::exit(m).frame; needs_exit_frame(m.form()) && &own != frames.exit)
+      coincident = turn_exit_of_rows(own, *frames.exit, rows) && coincident;
+  if constexpr (requires { Access::enter(m).frame; })
+    if (const auto& own = Access::enter(m).frame;
+        needs_enter_frame(m.form()) && &own != frames.enter)
+      coincident = turn_enter_of_rows(own, *frames.enter, rows) && coincident;
+  return coincident;
+}
+
+/// The same matrix, its form behind a flag.
+template <class Result, class M>
+constexpr Result as_flagged(const M& m) {
+  return mapped<Result>(m, [](const auto& value) { return value; });
+}
+
+/// m + d·e0e0ᵀ, which changes m00 alone where that has a place of its own: m is neither zero nor
+/// collinear.
+template <class Result, class M>
+constexpr Result with_m00_added(const M& m, const typename M::value_type& d) {
+  Result result = as_flagged<Result>(m);
+  Access::values(result)[0] += d;
+  return result;
 }
 
 }  // namespace detail
@@ -149,19 +174,29 @@ constexpr auto operator+(const A& a, const B& b) {
   constexpr bool static_frames =
       StaticFrameType<typename A::enter_frame_type> && StaticFrameType<typename A::exit_frame_type>;
   constexpr MuellerForm R = sum_form(A::static_form, B::static_form, static_frames);
-  Mueller<V, typename A::in_side, typename A::out_side, typename A::enter_frame_type,
-          typename A::exit_frame_type, R>
-      result;
+  using Result = Mueller<V, typename A::in_side, typename A::out_side, typename A::enter_frame_type,
+                         typename A::exit_frame_type, R>;
+  if constexpr (R == MuellerForm::dynamic) {
+    // Depolarizers are most of what is added, and turn nothing.
+    using enum MuellerForm;
+    if (b.form() == zero) return detail::as_flagged<Result>(a);
+    if (a.form() == zero) return detail::as_flagged<Result>(b);
+    if (b.form() == depolarizing && !is_collinear(a.form()))
+      return detail::with_m00_added<Result>(a, b.m00());
+    if (a.form() == depolarizing && !is_collinear(b.form()))
+      return detail::with_m00_added<Result>(b, a.m00());
+  }
+  Result result = detail::Access::make<Result>();
   detail::SumFrames<typename A::scalar_type> frames;
   detail::add_frames_of(a, frames);
   detail::add_frames_of(b, frames);
   if (!frames.enter) frames.enter = frames.exit;
   if (!frames.exit) frames.exit = frames.enter;
 
-  V rows[16];
-  for (V& row : rows) row = V(0);
-  bool coincident = detail::add_expressed(a, frames, rows);
-  coincident = detail::add_expressed(b, frames, rows) && coincident;
+  V rows[16], right[16];
+  bool coincident = detail::express_rows(a, frames, rows);
+  coincident = detail::express_rows(b, frames, right) && coincident;
+  for (std::size_t i = 0; i < 16; ++i) rows[i] += right[i];
 
   const MuellerForm form = R == MuellerForm::dynamic ? sum_form(a.form(), b.form(), coincident) : R;
   if constexpr (R == MuellerForm::dynamic) {
