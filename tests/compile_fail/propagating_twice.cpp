@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light that has arrived is not under way any more.
-// expect: no matching function for call to 'propagate
+// expect: already_propagated
 #include <malus/malus.hpp>
 
 using Leaving = malus::Stokes<malus::Rgb, malus::exitant>;

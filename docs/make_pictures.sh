@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Renders the pictures in docs/pictures from the scenes in examples/scenes:
+#
+#   docs/make_pictures.sh [PROGRAMS [OUTPUT]]
+#
+# PROGRAMS is the folder that malus-render and malus-image are in (build/examples/examples, which examples/run.sh
+# builds, unless given), OUTPUT where the pictures go (docs/pictures). Needs gnuplot for the plot and ImageMagick to
+# reduce the number of colours; on two cores it takes some minutes.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+programs=${1:-build/examples/examples}
+out=${2:-docs/pictures}
+scenes=examples/scenes
+
+for tool in "$programs/malus-render" "$programs/malus-image" gnuplot convert; do
+  command -v "$tool" >/dev/null || { echo "make_pictures.sh: $tool is missing" >&2; exit 2; }
+done
+mkdir -p "$out"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+render() { "$programs/malus-render" "$@"; }
+show() { "$programs/malus-image" "$@"; }
+
+# A noisy picture of full colour compresses badly: 255 colours will do.
+reduce() { convert "$1" -colors 255 "PNG8:$1"; }
+
+# The box: intensity, degree and angle of linear polarisation. Most of what the spheres show is polarised weakly:
+# degrees are doubled.
+render "$scenes/box.xml" -o "$work/box.exr" --spp 256
+show "$work/box.exr" --show intensity -o "$out/box_intensity.png"
+show "$work/box.exr" --show overlay --scale 2 -o "$out/box_overlay.png"
+show "$work/box.exr" --show aolp --scale 2 -o "$out/box_aolp.png"
+reduce "$out/box_intensity.png"
+reduce "$out/box_overlay.png"
+
+# Three sheets, and the same picture through a filter that was chosen after rendering.
+render "$scenes/crossed_polarizers.xml" -o "$work/crossed.exr" --spp 64
+show "$work/crossed.exr" --show intensity -o "$out/crossed_polarizers.png"
+show "$work/crossed.exr" --show aolp -o "$out/crossed_polarizers_aolp.png"
+show "$work/crossed.exr" --filter linear:0 --show intensity -o "$out/crossed_polarizers_filtered.png"
+
+# Glass at every angle: what the radiancemeter reads, with its standard error, beside Fresnel's equations.
+component() { # FILE OBJECT COMPONENT: the first channel
+  tr -d ' \n' <"$1" | sed -E "s/.*\"$2\":\{[^}]*\"$3\":\[([^],]*).*/\1/"
+}
+for angle in $(seq 5 5 55) 56.309932474020215 $(seq 60 5 85); do
+  render "$scenes/brewster.xml" -D "angle=$angle" --spp 65536 -o "$work/meter.exr" --stats "$work/meter.json" >/dev/null
+  echo "$angle" \
+    "$(component "$work/meter.json" measurement S0)" "$(component "$work/meter.json" standard_error S0)" \
+    "$(component "$work/meter.json" measurement S1)" "$(component "$work/meter.json" standard_error S1)"
+done >"$work/brewster.txt"
+
+gnuplot <<PLOT
+set terminal pngcairo size 900,420 font "sans,11"
+set output "$out/brewster.png"
+n = 1.5
+set angles degrees
+q(a) = sqrt(n * n - sin(a)**2)
+rs(a) = ((cos(a) - q(a)) / (cos(a) + q(a)))**2
+rp(a) = ((n * n * cos(a) - q(a)) / (n * n * cos(a) + q(a)))**2
+set xrange [0:90]
+set xtics 15
+set xlabel "angle of incidence, degrees"
+set arrow from atan(n), graph 0 to atan(n), graph 1 nohead dashtype 3 linecolor "gray40"
+set key top left Left reverse
+set multiplot layout 1,2 title "Reflection at glass, n = 1.5: radiancemeter (points) and Fresnel's equations (lines)"
+set ylabel "reflectance"
+set yrange [0:1]
+plot rs(x) with lines linecolor "#b02020" title "R_s = S_0 + S_1", \
+     rp(x) with lines linecolor "#2040b0" title "R_p = S_0 - S_1", \
+     (rs(x) + rp(x)) / 2 with lines linecolor "black" title "S_0", \
+     "$work/brewster.txt" using 1:(\$2 + \$4) with points pointtype 7 pointsize 0.8 linecolor "#b02020" notitle, \
+     "" using 1:(\$2 - \$4) with points pointtype 7 pointsize 0.8 linecolor "#2040b0" notitle, \
+     "" using 1:2:3 with yerrorbars pointtype 7 pointsize 0.8 linecolor "black" notitle
+set ylabel "degree of polarisation"
+set key bottom center samplen 2
+set yrange [0:1.05]
+plot (rs(x) - rp(x)) / (rs(x) + rp(x)) with lines linecolor "black" title "(R_s - R_p) / (R_s + R_p)", \
+     "$work/brewster.txt" using 1:(\$4 / \$2) with points pointtype 7 pointsize 0.8 linecolor "black" title "S_1 / S_0"
+PLOT
+
+ls -l "$out"
