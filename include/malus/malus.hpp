@@ -31,6 +31,7 @@
 #include <malus/propagate.hpp>
 #include <malus/radiometry.hpp>
 #include <malus/side.hpp>
+#include <malus/spaces.hpp>
 #include <malus/spectrum.hpp>
 #include <malus/stokes.hpp>
 #include <malus/sum.hpp>

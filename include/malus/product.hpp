@@ -12,125 +12,15 @@
 #include <concepts>
 
 #include <malus/analyzer.hpp>
-#include <malus/detail/kernels.hpp>
+#include <malus/detail/combine.hpp>
 #include <malus/error.hpp>
 #include <malus/importance.hpp>
 #include <malus/measurement.hpp>
 #include <malus/mueller.hpp>
+#include <malus/spaces.hpp>
 #include <malus/stokes.hpp>
 
 namespace malus {
-
-namespace detail {
-
-/// Calls f with the form of a quantity as a compile-time constant.
-template <class Q, class F>
-MALUS_INLINE constexpr decltype(auto) visit_form(const Q& q, F&& f) {
-  if constexpr (Q::is_dynamic)
-    return with_form(q.form(), f);
-  else
-    return f(FormConstant<Q::static_form>{});
-}
-
-template <auto Form, class Q>
-MALUS_INLINE constexpr void set_form(Q& q) {
-  if constexpr (Q::is_dynamic) Access::flag(q) = FormFlag<Q::static_form>(Form);
-}
-
-/// The result that f(fa, fb, a, b, result) makes, told both forms as constants, where one of them
-/// is a flag. A function of its own: a table of all pairs of forms is not to be had at every place
-/// where two quantities meet.
-template <class Result, class A, class B, class F>
-constexpr Result combine_flagged(const A& a, const B& b, F f) {
-  Result result = Access::make<Result>();
-  visit_form(a, [&](auto fa) MALUS_INLINE_LAMBDA {
-    visit_form(b, [&](auto fb) MALUS_INLINE_LAMBDA { f(fa, fb, a, b, result); });
-  });
-  return result;
-}
-template <class Result, class A, class B, class F>
-MALUS_INLINE constexpr Result combine_fixed(const A& a, const B& b, F f) {
-  Result result = Access::make<Result>();
-  f(FormConstant<A::static_form>{}, FormConstant<B::static_form>{}, a, b, result);
-  return result;
-}
-/// The same; where both forms are types, in place.
-template <class Result, class A, class B, class F>
-MALUS_INLINE constexpr Result combine(const A& a, const B& b, F f) {
-  if constexpr (A::is_dynamic || B::is_dynamic)
-    return combine_flagged<Result>(a, b, f);
-  else
-    return combine_fixed<Result>(a, b, f);
-}
-
-/// G F⁻¹ from one slot to another, of static or of run-time frames.
-template <class From, class To>
-MALUS_INLINE constexpr auto turn_between(const From& from, const To& to, const char* operation) {
-  return rotation(from.get(), to.get(), operation);
-}
-
-/// A quantity of the same form and frames whose values are f of these. What the form doesn't have
-/// is not copied.
-template <class To, class From, class F>
-MALUS_INLINE constexpr To mapped(const From& from, F&& f) {
-  To to = Access::make<To>();
-  visit_form(from, [&](auto form) MALUS_INLINE_LAMBDA {
-    map_values<value_count(form())>(f, Access::values(from), Access::values(to));
-    if constexpr (MuellerType<From>) {
-      if constexpr (needs_enter_frame(form())) copy_frame(Access::enter(to), Access::enter(from));
-      if constexpr (needs_exit_frame(form())) copy_frame(Access::exit(to), Access::exit(from));
-    } else {
-      if constexpr (needs_frame(form())) copy_frame(Access::frame(to), Access::frame(from));
-    }
-    set_form<form()>(to);
-  });
-  return to;
-}
-
-// What a quantity emits to its left and expects from its right: the spaces that must agree.
-template <class Q>
-struct Spaces;
-template <StokesType Q>
-struct Spaces<Q> {
-  using out_side = typename Q::side;
-  using out_frame = typename Q::frame_type;
-};
-template <MuellerType Q>
-struct Spaces<Q> {
-  using out_side = typename Q::out_side;
-  using out_frame = typename Q::exit_frame_type;
-  using in_side = typename Q::in_side;
-  using in_frame = typename Q::enter_frame_type;
-};
-template <class Q>
-  requires(ImportanceType<Q> || AnalyzerType<Q>)
-struct Spaces<Q> {
-  using in_side = typename Q::side;
-  using in_frame = typename Q::frame_type;
-};
-
-/// Acts on light to its right.
-template <class Q>
-concept Acts = MuellerType<Q> || ImportanceType<Q> || AnalyzerType<Q>;
-/// Brings light from its right to its left.
-template <class Q>
-concept Brings = MuellerType<Q> || StokesType<Q>;
-template <class Q>
-concept Measures = ImportanceType<Q> || AnalyzerType<Q>;
-
-template <class A, class B>
-concept SameValue = std::same_as<typename A::value_type, typename B::value_type>;
-template <class A, class B>
-concept SidesMeet = std::same_as<typename Spaces<A>::in_side, typename Spaces<B>::out_side>;
-template <class A, class B>
-concept FramesMeet = std::same_as<typename Spaces<A>::in_frame, typename Spaces<B>::out_frame>;
-
-}  // namespace detail
-
-/// The light that leaves B is what A acts on: the product A * B is legal.
-template <class A, class B>
-concept Composable = detail::Acts<A> && detail::Brings<B> && detail::SameValue<A, B> &&
-                     detail::SidesMeet<A, B> && detail::FramesMeet<A, B>;
 
 // Mueller · Stokes
 
