@@ -39,8 +39,8 @@ std::string dielectric(double n) {
   return bsdf("dielectric", number("int_ior", n) + number("ext_ior", 1));
 }
 
-/// The Mueller matrix of a surface z = 0 in frames with x along s = +y, from readings of the light that arrives and of the
-/// light that is reflected.
+/// The Mueller matrix of a surface z = 0 in frames with x along s = +y, from readings of the light
+/// that arrives and of the light that is reflected.
 Matrix measured_mirror(const std::string& surface, double degrees) {
   const double a = radians(degrees);
   const glm::dvec3 out(-std::sin(a), 0, std::cos(a)), in(std::sin(a), 0, std::cos(a));
@@ -86,8 +86,8 @@ TEST_CASE("optics: Malus's law, and that a polarizer's angle turns clockwise") {
     const auto scene = example("malus_law.xml", {{"angle", std::to_string(degrees)}});
     const Reading r = reading(render(scene, 64));
     const double a = radians(degrees), s0 = std::cos(a) * std::cos(a) / 2;
-    CHECK(render_test::difference(
-              r.stokes, {s0, s0 * std::cos(2 * a), -s0 * std::sin(2 * a), 0}) < 1e-6);
+    CHECK(render_test::difference(r.stokes, {s0, s0 * std::cos(2 * a), -s0 * std::sin(2 * a), 0}) <
+          1e-6);
     CHECK(r.error.x < 1e-7);
   }
 }
@@ -123,8 +123,8 @@ TEST_CASE("optics: a third polarizer between crossed ones lets an eighth of sin(
   for (const double degrees : {45.0, 20.0}) {
     CAPTURE(degrees);
     const auto scene =
-        example("crossed_polarizers.xml", {{"angle", std::to_string(degrees)},
-                                           {"resolution", std::to_string(resolution)}});
+        example("crossed_polarizers.xml",
+                {{"angle", std::to_string(degrees)}, {"resolution", std::to_string(resolution)}});
     const Rendering rendering = render(scene, 4);
     const double half_width = 20 * std::tan(radians(5.5));
     const auto at = [&](double x, double z) {
@@ -156,13 +156,14 @@ TEST_CASE("optics: a mirror shows Fresnel's matrix") {
   }
 }
 
-TEST_CASE("optics: a twosided mirror is the same mirror from behind, and a plain one is black there") {
+TEST_CASE(
+    "optics: a twosided mirror is the same mirror from behind, and a plain one is black there") {
   const auto& gold = reference::fresnel_mirrors[0];
   const std::string both = bsdf("twosided", conductor(gold));
   const std::string behind = square({0, 0, 0}, -z_axis, 1, both);
   CHECK(difference(measured_mirror(behind, 60), expected_mirror(gold.rows[4])) < 2e-5);
-  CHECK(difference(measured_mirror(square({0, 0, 0}, -z_axis, 1, conductor(gold)), 60),
-                   Matrix(0)) < 1e-7);
+  CHECK(difference(measured_mirror(square({0, 0, 0}, -z_axis, 1, conductor(gold)), 60), Matrix(0)) <
+        1e-7);
 }
 
 TEST_CASE("optics: total internal reflection retards by the known phase") {
@@ -180,8 +181,9 @@ TEST_CASE("optics: total internal reflection retards by the known phase") {
 TEST_CASE("optics: two mirrors act in the light's order, their planes of incidence turned") {
   const auto& gold = reference::fresnel_mirrors[0];
   const auto& aluminium = reference::fresnel_mirrors[1];
-  const std::vector<std::string> light = {bsdf("polarizer", number("theta", 25)),
-                                          bsdf("retarder", number("theta", 50) + number("delta", 70))};
+  const std::vector<std::string> light = {
+      bsdf("polarizer", number("theta", 25)),
+      bsdf("retarder", number("theta", 50) + number("delta", 70))};
   for (const double degrees : {30.0, 90.0, 200.0}) {
     CAPTURE(degrees);
     const double phi = radians(degrees);
@@ -190,12 +192,12 @@ TEST_CASE("optics: two mirrors act in the light's order, their planes of inciden
     const std::string source = sheets(second, out, light) + sky;
     const glm::dvec4 in = read_meter(meter(second, second + out, s2) + source).stokes;
     // The meter's ray goes along +x, up, then along `out`; both mirrors are met at 45 degrees.
-    const std::string mirrors =
-        square({0, 0, 0}, {-1, 0, 1}, 0.4, conductor(gold)) +
-        square(second, second + out - z_axis, 0.4, conductor(aluminium));
-    const glm::dvec4 read = read_meter(meter({-3, 0, 0}, {0, 0, 0}, y_axis) + mirrors + source).stokes;
-    const glm::dvec4 expected = expected_mirror(gold.rows[3]) * rotation(phi) *
-                                expected_mirror(aluminium.rows[3]) * in;
+    const std::string mirrors = square({0, 0, 0}, {-1, 0, 1}, 0.4, conductor(gold)) +
+                                square(second, second + out - z_axis, 0.4, conductor(aluminium));
+    const glm::dvec4 read =
+        read_meter(meter({-3, 0, 0}, {0, 0, 0}, y_axis) + mirrors + source).stokes;
+    const glm::dvec4 expected =
+        expected_mirror(gold.rows[3]) * rotation(phi) * expected_mirror(aluminium.rows[3]) * in;
     CHECK(render_test::difference(read, expected) < 2e-5);
   }
 }
@@ -219,7 +221,8 @@ TEST_CASE("optics: polarizer and retarder give the known ellipse, from the front
       const double d = radians(delta);
       const glm::dvec4 expected(0.5, 0.5 * (c * c + s * s * std::cos(d)),
                                 0.5 * s * c * (1 - std::cos(d)), 0.5 * s * std::sin(d));
-      CHECK(render_test::difference(read_meter(begin + sheet(0, retarder)).stokes, expected) < 1e-6);
+      CHECK(render_test::difference(read_meter(begin + sheet(0, retarder)).stokes, expected) <
+            1e-6);
       // Turned about the vertical, its axis is at the opposite angle.
       const glm::dvec4 mirrored(expected.x, expected.y, -expected.z, -expected.w);
       CHECK(render_test::difference(read_meter(begin + sheet(0, retarder, true)).stokes, mirrored) <
@@ -236,8 +239,8 @@ TEST_CASE("optics: circular polarizers pass half of the sky's light, right or le
   CHECK(render_test::difference(
             read(bsdf("circular", "<boolean name=\"left_handed\" value=\"true\"/>")),
             {0.5, 0, 0, -0.5}) < 1e-6);
-  CHECK(render_test::difference(
-            read(bsdf("circular", number("transmittance", 0.3))), {0.15, 0, 0, 0.15}) < 1e-6);
+  CHECK(render_test::difference(read(bsdf("circular", number("transmittance", 0.3))),
+                                {0.15, 0, 0, 0.15}) < 1e-6);
 }
 
 TEST_CASE("optics: a tilted polarizer passes the field across its projected absorption axis") {
@@ -256,11 +259,11 @@ TEST_CASE("optics: a tilted polarizer passes the field across its projected abso
       const glm::dvec3 field = glm::normalize(glm::cross(light, absorbed));
       // The picture's right is +x and its up +z.
       const double fx = field.x, fy = field.z;
-      const glm::dvec4 read = read_meter(meter({0, -4, 0}, {0, 0, 0}, right) + sky +
-                                         square({0, 0, 0}, n, 2, bsdf("polarizer", number("theta", theta)), up))
-                                  .stokes;
-      CHECK(render_test::difference(
-                read, {0.5, 0.5 * (fx * fx - fy * fy), fx * fy, 0}) < 1e-5);
+      const glm::dvec4 read =
+          read_meter(meter({0, -4, 0}, {0, 0, 0}, right) + sky +
+                     square({0, 0, 0}, n, 2, bsdf("polarizer", number("theta", theta)), up))
+              .stokes;
+      CHECK(render_test::difference(read, {0.5, 0.5 * (fx * fx - fy * fy), fx * fy, 0}) < 1e-5);
     }
 }
 
@@ -270,9 +273,10 @@ TEST_CASE("optics: a retarder changes continuously with the direction it is seen
     const glm::dvec3 d(std::sin(radians(50)) * std::cos(a), -std::cos(radians(50)),
                        std::sin(radians(50)) * std::sin(a));
     const glm::dvec3 right = glm::normalize(glm::cross(-d, {0, 0.2, 1}));
-    return read_meter(meter(4.0 * d, {0, 0, 0}, right) + sky +
-                      square({0, 0, 0}, {0, -1, 0}, 3, bsdf("retarder", number("theta", 20)), {0, 0, 1}) +
-                      square({0, 2, 0}, {0, 1, 0}, 9, bsdf("polarizer", number("theta", 0)), {0, 0, 1}))
+    return read_meter(
+               meter(4.0 * d, {0, 0, 0}, right) + sky +
+               square({0, 0, 0}, {0, -1, 0}, 3, bsdf("retarder", number("theta", 20)), {0, 0, 1}) +
+               square({0, 2, 0}, {0, 1, 0}, 9, bsdf("polarizer", number("theta", 0)), {0, 0, 1}))
         .stokes;
   };
   constexpr int steps = 360;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small scenes for the tests of the renderer, rendered through its public interface, and their readings.
+// Small scenes for the tests of the renderer, rendered through its public interface, and their
+// readings.
 #pragma once
 
 #include <array>
@@ -71,8 +72,8 @@ inline renderer::Scene build(std::string_view content, const Definitions& defini
   return renderer::build_scene(*scene_test::read(content, definitions));
 }
 inline renderer::Scene example(const std::string& name, const Definitions& definitions = {}) {
-  return renderer::build_scene(*renderer::read_scene(
-      std::filesystem::path(MALUS_SCENES_DIR) / name, definitions));
+  return renderer::build_scene(
+      *renderer::read_scene(std::filesystem::path(MALUS_SCENES_DIR) / name, definitions));
 }
 
 inline Rendering render(const renderer::Scene& scene, std::uint64_t samples,

@@ -4,6 +4,7 @@
 #include <tbb/info.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <map>
 #include <new>
@@ -57,7 +58,12 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--time", a.seconds, "Render for so many seconds instead")
       ->check(CLI::Range(1e-3, 1e8))
       ->excludes(spp);
-  app.add_option("--seed", a.seed, "Seed of the random numbers (default: the scene's)");
+  app.add_option("--seed", a.seed, "Seed of the random numbers (default: the scene's)")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return std::string(text.starts_with('-') ? "a seed is not negative" : "");
+          },
+          ""));
   app.add_option("--threads", a.threads, "Threads (default: all processors)")->check(CLI::Range(1, 4096));
   app.add_option("--sampler", a.sampler, "Random numbers")->check(CLI::IsMember({"independent"}));
   app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
@@ -108,6 +114,7 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene, const Re
 
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   const auto definitions = parse_definitions(a.definitions);
+  if (std::isnan(a.seconds)) throw InputError("--time: nan is not a number of seconds");
   check_writable(a.output);
   if (!a.stats.empty()) check_writable(a.stats);
   Scene scene = build_scene(*read_scene(a.scene, definitions));

@@ -3,11 +3,13 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "../integrators/path.hpp"
 
@@ -146,6 +148,10 @@ Rendering render_as(const Scene& scene, const RenderOptions& options, const std:
 
 Rendering render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                  const std::function<void(const Progress&)>& report) {
+  // More threads than processors are refused, with a message, unless they are allowed.
+  std::optional<tbb::global_control> allowed;
+  if (options.threads > 0)
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   return arena.execute([&] {
     return options.mode == Mode::unpolarized
