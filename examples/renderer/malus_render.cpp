@@ -4,6 +4,4 @@
 
 #include "render/command_line.hpp"
 
-int main(int argc, char** argv) {
-  return renderer::malus_render(argc, argv, std::cout, std::cerr);
-}
+int main(int argc, char** argv) { return renderer::malus_render(argc, argv, std::cout, std::cerr); }

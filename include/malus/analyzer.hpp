@@ -32,7 +32,9 @@ class Analyzer {
   /// The reading w0 S0 + w1 S1 + w2 S2 + w3 S3 of light expressed in `frame`.
   constexpr Analyzer(const V& w0, const V& w1, const V& w2, const V& w3, const F& frame)
     requires(Form == StokesForm::full || is_dynamic)
-      : value_{w0, w1, w2, w3}, frame_(frame), flag_(StokesForm::full) {}
+      : value_{w0, w1, w2, w3}, frame_(frame), flag_(StokesForm::full) {
+    for (V& v : value_) detail::hide_constant(v);
+  }
   constexpr Analyzer(const V& w0, const V& w1, const V& w2, const V& w3)
     requires(Form == StokesForm::full && StaticFrameType<F>)
       : Analyzer(w0, w1, w2, w3, F{}) {}

@@ -35,6 +35,16 @@
 #define MALUS_INLINE_LAMBDA __attribute__((always_inline))
 #endif
 
+// g++ 12 with AVX-512 moves a constant whose upper part is zero as a broadcast of its lower part:
+// (a, a, a, a, 0, 0, 0, 0) arrives as eight times a. There, makers hide what they store from the
+// optimiser (detail::hide_constant). The flag -mtune-ctrl=^inter_unit_moves_to_vec mends the
+// compiler for other code.
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12 && defined(__AVX512F__)
+#define MALUS_HIDE_CONSTANTS 1
+#else
+#define MALUS_HIDE_CONSTANTS 0
+#endif
+
 namespace malus {
 
 /// What the handler is told: the axes of the frame that an operand is in and of the one that it had

@@ -52,7 +52,7 @@ class Importance {
     requires(makes(ImportanceForm::depolarizing))
   {
     Importance w;
-    for (std::size_t i = 0; i < 4; ++i) w.value_[i] = column[i];
+    w.store(column);
     w.flag_ = decltype(w.flag_)(ImportanceForm::depolarizing);
     return w;
   }
@@ -137,7 +137,15 @@ class Importance {
   template <std::size_t N>
   constexpr Importance(ImportanceForm form, const std::array<V, N>& values, const F& frame)
       : frame_(frame), flag_(form) {
-    for (std::size_t i = 0; i < N; ++i) value_[i] = values[i];
+    store(values);
+  }
+
+  template <std::size_t N>
+  constexpr void store(const std::array<V, N>& values) {
+    for (std::size_t i = 0; i < N; ++i) {
+      value_[i] = values[i];
+      detail::hide_constant(value_[i]);
+    }
   }
 
   std::array<V, value_count(Form)> value_;

@@ -23,7 +23,9 @@ class Measurement {
   /// Nothing was read.
   constexpr Measurement() { reading_.fill(V(0)); }
   constexpr Measurement(const V& r0, const V& r1, const V& r2, const V& r3)
-      : reading_{r0, r1, r2, r3} {}
+      : reading_{r0, r1, r2, r3} {
+    for (V& r : reading_) detail::hide_constant(r);
+  }
 
   /// Reading i of 0…3.
   constexpr const V& operator[](std::size_t i) const { return reading_[i]; }

@@ -184,13 +184,21 @@ class Mueller {
 
   template <std::size_t N>
   constexpr Mueller(MuellerForm form, const std::array<V, N>& values) : flag_(form) {
-    for (std::size_t i = 0; i < N; ++i) value_[i] = values[i];
+    store(values);
   }
   template <std::size_t N>
   constexpr Mueller(MuellerForm form, const std::array<V, N>& values, const FI& enter,
                     const FO& exit)
       : enter_(enter), exit_(exit), flag_(form) {
-    for (std::size_t i = 0; i < N; ++i) value_[i] = values[i];
+    store(values);
+  }
+
+  template <std::size_t N>
+  constexpr void store(const std::array<V, N>& values) {
+    for (std::size_t i = 0; i < N; ++i) {
+      value_[i] = values[i];
+      detail::hide_constant(value_[i]);
+    }
   }
 
   std::array<V, value_count(Form)> value_;

@@ -153,6 +153,13 @@ class Spectrum {
     return true;
   }
 
+  /// Makes the value one that the optimiser knows nothing of; see MALUS_HIDE_CONSTANTS.
+  MALUS_INLINE void hide() {
+#if MALUS_HIDE_CONSTANTS
+    for (auto& g : group_) asm("" : "+v"(g));
+#endif
+  }
+
  private:
   static constexpr std::size_t width = detail::lanes_width<T>;
   static constexpr std::size_t groups = N == 1 ? 1 : (N + 3) / 4 * 4 / width;
@@ -177,6 +184,31 @@ MALUS_INLINE constexpr void set_channel(V& value, std::size_t i, scalar_t<V> x) 
   else
     value.set(i, x);
 }
+
+namespace detail {
+
+#if MALUS_HIDE_CONSTANTS
+template <class T>
+MALUS_INLINE void hide_scalar(T& value) {
+  asm("" : "+v"(value));
+}
+#endif
+
+/// For values that makers store: see MALUS_HIDE_CONSTANTS. Does nothing where the compiler is
+/// sound.
+template <SpectralValue V>
+MALUS_INLINE constexpr void hide_constant([[maybe_unused]] V& value) {
+#if MALUS_HIDE_CONSTANTS
+  if (std::is_constant_evaluated()) return;
+  if constexpr (std::floating_point<V>) {
+    if constexpr (sizeof(V) <= 8) hide_scalar(value);
+  } else {
+    value.hide();
+  }
+#endif
+}
+
+}  // namespace detail
 
 /// A value computed channel by channel: f(x) for one value, f(x, y) for two.
 template <SpectralValue V, class Function, class... Others>

@@ -101,7 +101,9 @@ class Stokes {
   /// [(s0, s1, s2, s3), frame].
   constexpr Stokes(const V& s0, const V& s1, const V& s2, const V& s3, const F& frame)
     requires(Form == StokesForm::full || is_dynamic)
-      : value_{s0, s1, s2, s3}, frame_(frame), flag_(StokesForm::full) {}
+      : value_{s0, s1, s2, s3}, frame_(frame), flag_(StokesForm::full) {
+    for (V& v : value_) detail::hide_constant(v);
+  }
   constexpr Stokes(const V& s0, const V& s1, const V& s2, const V& s3)
     requires(Form == StokesForm::full && StaticFrameType<F>)
       : Stokes(s0, s1, s2, s3, F{}) {}

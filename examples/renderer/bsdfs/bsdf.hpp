@@ -40,12 +40,14 @@ class Bsdf {
 
   /// Draws an incident direction by m00; false where no light is scattered to `exitant`.
   bool sample(const Hit& hit, const Vec3& exitant, Sampler& sampler, BsdfSample& result) const {
-    return std::visit([&](const auto& b) { return b.sample(hit, exitant, sampler, result); }, kind_);
+    return std::visit([&](const auto& b) { return b.sample(hit, exitant, sampler, result); },
+                      kind_);
   }
 
   /// The scattering of a sample, times |cos|/pdf. Its m00 is the sample's weight.
   template <class R>
-  typename R::Scattering weight(const Hit& hit, const Vec3& exitant, const BsdfSample& sample) const {
+  typename R::Scattering weight(const Hit& hit, const Vec3& exitant,
+                                const BsdfSample& sample) const {
     return std::visit([&](const auto& b) { return b.template weight<R>(hit, exitant, sample); },
                       kind_);
   }
@@ -105,8 +107,8 @@ class Bsdf {
   bool is_delta_ = false, is_sheet_ = false, polarizes_ = false;
 };
 
-/// The BSDFs of a shape's sides. `back` is none for one BSDF that knows both sides itself; else it sees the surface flipped, as
-/// its own front.
+/// The BSDFs of a shape's sides. `back` is none for one BSDF that knows both sides itself; else it
+/// sees the surface flipped, as its own front.
 struct Material {
   const Bsdf* front = nullptr;
   const Bsdf* back = nullptr;

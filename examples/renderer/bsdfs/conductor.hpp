@@ -19,16 +19,17 @@ struct Conductor {
     result.incident = glm::normalize(reflect_about(exitant, hit.normal));
     result.is_delta = true;
     result.pdf = 1;
-    result.weight = specular_reflectance * malus::map_channels(
-                                               [&](float n, float x) {
-                                                 return malus::fresnel_conductor(cosine(cos_o), n, x).mean();
-                                               },
-                                               eta, k);
+    result.weight =
+        specular_reflectance *
+        malus::map_channels(
+            [&](float n, float x) { return malus::fresnel_conductor(cosine(cos_o), n, x).mean(); },
+            eta, k);
     return true;
   }
 
   template <class R>
-  typename R::Scattering weight(const Hit& hit, const Vec3& exitant, const BsdfSample& sample) const {
+  typename R::Scattering weight(const Hit& hit, const Vec3& exitant,
+                                const BsdfSample& sample) const {
     if constexpr (R::polarized) {
       const auto frames = specular_frames(hit.normal, sample.incident, exitant);
       const float cos_o = cosine(glm::dot(hit.normal, exitant));

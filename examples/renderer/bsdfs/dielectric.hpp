@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A smooth interface between two dielectrics; the normal points to the outer one. Reflection or refraction is chosen by
-// the reflectance for unpolarised light.
+// A smooth interface between two dielectrics; the normal points to the outer one. Reflection or
+// refraction is chosen by the reflectance for unpolarised light.
 #pragma once
 
 #include "sample.hpp"
@@ -37,7 +37,8 @@ struct Dielectric {
   }
 
   template <class R>
-  typename R::Scattering weight(const Hit& hit, const Vec3& exitant, const BsdfSample& sample) const {
+  typename R::Scattering weight(const Hit& hit, const Vec3& exitant,
+                                const BsdfSample& sample) const {
     if constexpr (R::polarized) {
       const Side side(*this, hit, exitant);
       const bool reflected = glm::dot(side.normal, sample.incident) > 0;
@@ -52,7 +53,8 @@ struct Dielectric {
   }
 
  private:
-  /// The interface as light leaves it: the normal on the exitant side, and the index behind it over that before it.
+  /// The interface as light leaves it: the normal on the exitant side, and the index behind it over
+  /// that before it.
   struct Side {
     Vec3 normal;
     float cos_o, eta;

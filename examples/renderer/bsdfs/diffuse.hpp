@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An ideally diffuse surface, which depolarises completely: one value, no frame. Its front alone reflects.
+// An ideally diffuse surface, which depolarises completely: one value, no frame. Its front alone
+// reflects.
 #pragma once
 
 #include "../core/warp.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Thin sheets that light passes straight on through: linear polarizer, linear retarder, circular polarizer, and nothing at all.
-// A sheet's axis is fixed in it, at an angle to the surface's own x axis, from whichever side it is seen.
+// Thin sheets that light passes straight on through: linear polarizer, linear retarder, circular
+// polarizer, and nothing at all. A sheet's axis is fixed in it, at an angle to the surface's own x
+// axis, from whichever side it is seen.
 #pragma once
 
 #include "sample.hpp"
@@ -35,8 +36,8 @@ inline Vec3 axis_in_sheet(const Hit& hit, float angle) {
 }
 
 struct LinearPolarizer : StraightThrough<LinearPolarizer> {
-  /// Radians from ∂p/∂u; a positive angle turns clockwise as seen from the front, as Mitsuba's polarizer does (and its retarder
-  /// doesn't).
+  /// Radians from ∂p/∂u; a positive angle turns clockwise as seen from the front, as Mitsuba's
+  /// polarizer does (and its retarder doesn't).
   float theta = 0;
   Rgb transmittance{1.0f};
   bool polarizing = true;
@@ -58,8 +59,8 @@ struct LinearPolarizer : StraightThrough<LinearPolarizer> {
 };
 
 struct LinearRetarder : StraightThrough<LinearRetarder> {
-  float theta = 0;        ///< radians from ∂p/∂u, counter-clockwise as seen from the front: the fast axis
-  float delta = pi / 2;   ///< radians at normal incidence
+  float theta = 0;  ///< radians from ∂p/∂u, counter-clockwise as seen from the front: the fast axis
+  float delta = pi / 2;  ///< radians at normal incidence
   Rgb transmittance{1.0f};
 
   static constexpr bool polarizes = true;
@@ -67,7 +68,8 @@ struct LinearRetarder : StraightThrough<LinearRetarder> {
   template <class R>
   typename R::Scattering transmit(const Hit& hit, const Vec3& light) const {
     if constexpr (R::polarized) {
-      // Mitsuba's model of oblique incidence: the retardance falls with the cosine, the fast axis is projected.
+      // Off the normal the retardance falls with the cosine, as Mitsuba has it; the fast axis is
+      // projected, so that nothing jumps.
       const float phase = delta * std::abs(glm::dot(hit.normal, light));
       return malus::linear_retarder(transmittance, Rgb(phase),
                                     MuellerFrame::toward(light, axis_in_sheet(hit, theta)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every BSDF agrees on. Directions point away from the surface, in world space: `incident` to where light comes from,
-// `exitant` to where it goes. Light therefore propagates along −incident, then along exitant.
+// What every BSDF agrees on. Directions point away from the surface, in world space: `incident` to
+// where light comes from, `exitant` to where it goes. Light therefore propagates along −incident,
+// then along exitant.
 #pragma once
 
 #include <malus/malus.hpp>
@@ -10,8 +11,8 @@
 
 namespace renderer {
 
-/// A sampled incident direction. weight = m00 |cos|/pdf, the share of unpolarised light that it brings; of delta
-/// distributions, pdf is the probability of the choice.
+/// A sampled incident direction. weight = m00 |cos|/pdf, the share of unpolarised light that it
+/// brings; of delta distributions, pdf is the probability of the choice.
 struct BsdfSample {
   Vec3 incident{};
   Rgb weight{0.0f};

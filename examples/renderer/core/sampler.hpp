@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Independent random numbers: one PCG32 stream (O'Neill 2014) for every sample of every pixel, so that a picture depends on the
-// seed alone and not on which thread renders what when.
+// Independent random numbers: one PCG32 stream (O'Neill 2014) for every sample of every pixel, so
+// that a picture depends on the seed alone and not on which thread renders what when.
 #pragma once
 
 #include <bit>

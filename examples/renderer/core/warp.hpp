@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps from the unit square to directions and points, with their densities (Pharr, Jakob & Humphreys 2023, appendix A.5).
+// Maps from the unit square to directions and points, with their densities (Pharr, Jakob &
+// Humphreys 2023, appendix A.5).
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,8 @@ inline Vec3 square_to_sphere(const Vec2& u) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// Uniform over the cone about +z of opening 1 − cos θ = `one_minus_cos`; density 1/(2π one_minus_cos).
+/// Uniform over the cone about +z of opening 1 − cos θ = `one_minus_cos`; density 1/(2π
+/// one_minus_cos).
 inline Vec3 square_to_cone(const Vec2& u, float one_minus_cos) {
   const float h = u.x * one_minus_cos;  // 1 − cos θ, exact for narrow cones
   const float r = std::sqrt(std::max(0.0f, h * (2 - h))), phi = 2 * pi * u.y;

@@ -85,7 +85,8 @@ bool AreaLight::sample(const Geometry& geometry, const Vec3& from, const Vec2& u
                           cumulative_area_.size() - 1);
   const float before = i > 0 ? cumulative_area_[i - 1] : 0.0f;
   const float width = cumulative_area_[i] - before;
-  const float reused = width > 0 ? std::clamp((target - before) / width, 0.0f, 0x1.fffffep-1f) : 0.5f;
+  const float reused =
+      width > 0 ? std::clamp((target - before) / width, 0.0f, 0x1.fffffep-1f) : 0.5f;
 
   const auto& t = mesh.triangles[i];
   const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
@@ -127,7 +128,8 @@ bool PointLight::sample(const Vec3& from, LightSample& light) const {
   return true;
 }
 
-bool DirectionalLight::sample(const Geometry& geometry, const Vec3& from, LightSample& light) const {
+bool DirectionalLight::sample(const Geometry& geometry, const Vec3& from,
+                              LightSample& light) const {
   const float far = 2 * geometry.radius() + glm::length(from - geometry.center()) + 1;
   light = {-propagation, from - far * propagation, irradiance, 1, true};
   return true;

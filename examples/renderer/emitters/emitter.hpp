@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light sources, all of which emit unpolarised light: area lights on shapes, points, a direction at infinity, and a constant
-// environment.
+// Light sources, all of which emit unpolarised light: area lights on shapes, points, a direction at
+// infinity, and a constant environment.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ namespace renderer {
 
 /// A direction in which a source may be seen from a point, and what would come from there.
 struct LightSample {
-  Vec3 direction;       ///< to the light, unit
-  Vec3 position;        ///< of the light; for sources at infinity, a point far outside the scene
-  Rgb radiance{0.0f};   ///< of delta sources, the irradiance across the direction
-  float pdf = 0;        ///< by solid angle; of delta sources, 1
+  Vec3 direction;      ///< to the light, unit
+  Vec3 position;       ///< of the light; for sources at infinity, a point far outside the scene
+  Rgb radiance{0.0f};  ///< of delta sources, the irradiance across the direction
+  float pdf = 0;       ///< by solid angle; of delta sources, 1
   bool is_delta = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film.hpp"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace renderer {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The film: sums of measurements, one a pixel and batch. Sums are in double precision, since a radiancemeter adds up 10⁹ samples.
+// The film: sums of measurements, one a pixel and batch. Sums are in double precision, since a
+// radiancemeter adds up 10⁹ samples.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace renderer {
 
-/// Which way S1 and S2 are written: x right and y up in the picture, or the paper's v(ω), x up. They differ in sign.
+/// Which way S1 and S2 are written: x right and y up in the picture, or the paper's v(ω), x up.
+/// They differ in sign.
 enum class StokesFrame { horizontal, up };
 
 struct PixelSum {
@@ -23,7 +25,9 @@ struct PixelSum {
 
   void add(const malus::Measurement<Rgb>& m);
   PixelSum& operator+=(const PixelSum& p);
-  double mean(std::size_t i) const { return count > 0 ? stokes[i] / static_cast<double>(count) : 0; }
+  double mean(std::size_t i) const {
+    return count > 0 ? stokes[i] / static_cast<double>(count) : 0;
+  }
 };
 
 class Film {
@@ -38,9 +42,11 @@ class Film {
 
   /// A pixel's sum over its batches, always in the same order.
   PixelSum total(std::size_t pixel) const;
-  /// The standard error of a pixel's 12 means, from the spread of its batches' means; NaN where there are less than two.
+  /// The standard error of a pixel's 12 means, from the spread of its batches' means; NaN where
+  /// there are less than two.
   std::array<double, 12> standard_error(std::size_t pixel) const;
-  /// The mean over pixels of the relative standard error of S0, a measure of noise; 0 where nothing was sampled.
+  /// The mean over pixels of the relative standard error of S0, a measure of noise; 0 where nothing
+  /// was sampled.
   double relative_noise() const;
 
   /// R G B and S0.R … S3.B.

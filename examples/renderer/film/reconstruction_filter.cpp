@@ -33,7 +33,8 @@ ReconstructionFilter::ReconstructionFilter(Kind kind, float width) : kind_(kind)
 
 float ReconstructionFilter::sample_1d(float u) const {
   switch (kind_) {
-    case Kind::box: return width_ * (2 * u - 1);
+    case Kind::box:
+      return width_ * (2 * u - 1);
     case Kind::tent:
       return width_ * (u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u)));
     default: {

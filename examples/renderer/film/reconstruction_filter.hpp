@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reconstruction filters by importance sampling (Ernst et al. 2006): a sample of a pixel is drawn from the filter around its
-// centre and counts in full, so that a pixel is a plain mean of independent samples, whatever the filter.
+// Reconstruction filters by importance sampling (Ernst et al. 2006): a sample of a pixel is drawn
+// from the filter around its centre and counts in full, so that a pixel is a plain mean of
+// independent samples, whatever the filter.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@ class ReconstructionFilter {
  public:
   enum class Kind { box, tent, gaussian };
 
-  /// `width` is the radius of box and tent in pixels, and the standard deviation of a Gaussian cut off at four of them.
+  /// `width` is the radius of box and tent in pixels, and the standard deviation of a Gaussian cut
+  /// off at four of them.
   explicit ReconstructionFilter(Kind kind = Kind::gaussian, float width = 0.5f);
 
   /// The offset from the pixel's centre, in pixels, for u in [0, 1)².
@@ -23,7 +25,7 @@ class ReconstructionFilter {
  private:
   float sample_1d(float u) const;
 
-  static constexpr std::size_t steps = 1024;
+  static constexpr std::size_t steps = 4096;
   Kind kind_;
   float width_;
   std::array<float, steps + 1> inverse_{};  // of the Gaussian's cumulative distribution

@@ -16,7 +16,8 @@ namespace renderer {
 
 namespace {
 
-/// The nearer root above `nearest` of |o + t d − c| = r, in double precision, since grazing rays cancel badly in single.
+/// The nearer root above `nearest` of |o + t d − c| = r, in double precision, since grazing rays
+/// cancel badly in single.
 float intersect_sphere(const Sphere& s, const glm::dvec3& origin, const glm::dvec3& direction,
                        double nearest, double farthest) {
   const glm::dvec3 o = origin - glm::dvec3(s.center);
@@ -114,8 +115,8 @@ Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 std::uint32_t Geometry::add(TriangleMesh mesh) {
-  auto& stored = std::get<TriangleMesh>(
-      *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
+  auto& stored = std::get<TriangleMesh>(*embree_->shapes.emplace_back(
+      std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -193,7 +194,8 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
     const float length2 = glm::dot(n, n);
     if (length2 > 1e-12f) hit.normal = n / std::sqrt(length2);
     // Where a file's winding and its normals disagree, its normals say which side is the front.
-    if (glm::dot(hit.normal, hit.geometric_normal) < 0) hit.geometric_normal = -hit.geometric_normal;
+    if (glm::dot(hit.normal, hit.geometric_normal) < 0)
+      hit.geometric_normal = -hit.geometric_normal;
   }
   return true;
 }
@@ -220,8 +222,10 @@ Vec3 Geometry::tangent(const Hit& hit) const {
     const TriangleMesh& m = mesh(hit.shape);
     const auto& t = m.triangles[hit.primitive];
     if (!m.texcoords.empty()) {
-      const Vec3 e1 = m.positions[t[1]] - m.positions[t[0]], e2 = m.positions[t[2]] - m.positions[t[0]];
-      const Vec2 d1 = m.texcoords[t[1]] - m.texcoords[t[0]], d2 = m.texcoords[t[2]] - m.texcoords[t[0]];
+      const Vec3 e1 = m.positions[t[1]] - m.positions[t[0]],
+                 e2 = m.positions[t[2]] - m.positions[t[0]];
+      const Vec2 d1 = m.texcoords[t[1]] - m.texcoords[t[0]],
+                 d2 = m.texcoords[t[2]] - m.texcoords[t[0]];
       const float determinant = d1.x * d2.y - d1.y * d2.x;
       if (determinant != 0) along = (d2.y * e1 - d1.y * e2) / determinant;
     }

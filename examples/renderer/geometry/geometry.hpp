@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a scene and the rays through them, traced by Embree. Triangle meshes go in as they are, spheres as user
-// geometry, which meets them exactly and faster than Embree's own points.
+// The shapes of a scene and the rays through them, traced by Embree. Triangle meshes go in as they
+// are, spheres as user geometry, which meets them exactly and faster than Embree's own points.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace renderer {
 struct Sphere {
   Vec3 center;
   float radius = 1;
-  bool flipped = false;        ///< normals point inwards
-  glm::mat3 rotation{1.0f};    ///< turns the sphere's own axes into the world's
+  bool flipped = false;      ///< normals point inwards
+  glm::mat3 rotation{1.0f};  ///< turns the sphere's own axes into the world's
 };
 
 class Geometry {
@@ -28,7 +28,8 @@ class Geometry {
   /// Adds a shape and returns its number, counted from 0.
   std::uint32_t add(TriangleMesh mesh);
   std::uint32_t add(const Sphere& sphere);
-  /// To be called once, after the last shape and before the first ray. Throws WorkError where Embree can't.
+  /// To be called once, after the last shape and before the first ray. Throws WorkError where
+  /// Embree can't.
   void commit();
 
   bool intersect(const Ray& ray, Hit& hit) const;

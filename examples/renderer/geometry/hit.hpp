@@ -22,10 +22,10 @@ struct Hit {
   float distance = 0;
   std::uint32_t shape = 0, primitive = 0;
   Vec2 parameter{};  ///< barycentric coordinates of the primitive
-  Vec3 tangent{};    ///< unit ∂p/∂u, perpendicular to the normal; only where the material asks for it
+  Vec3 tangent{};  ///< unit ∂p/∂u, perpendicular to the normal; only where the material asks for it
 
-  /// The side of the surface that w points to, for both normals alike. Where they disagree, the interpolated normal claims
-  /// light to pass through the surface, and there is none.
+  /// The side of the surface that w points to, for both normals alike. Where they disagree, the
+  /// interpolated normal claims light to pass through the surface, and there is none.
   bool sides_agree(const Vec3& w) const {
     return glm::dot(geometric_normal, w) * glm::dot(normal, w) > 0;
   }
@@ -35,11 +35,9 @@ struct Hit {
     normal = -normal;
   }
   /// A ray that leaves towards w, from far enough off the surface not to meet it again.
-  Ray leave(const Vec3& w, float length = infinity) const {
-    return {offset(w), w, length};
-  }
-  /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it starts: a parallel one
-  /// would meet a sphere before a point on its limb.
+  Ray leave(const Vec3& w, float length = infinity) const { return {offset(w), w, length}; }
+  /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it
+  /// starts: a parallel one would meet a sphere before a point on its limb.
   Ray leave_for(const Vec3& target, const Vec3& w) const {
     const Vec3 origin = offset(w), way = target - origin;
     const float far = glm::length(way);

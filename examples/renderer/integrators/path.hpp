@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Path tracing with next-event estimation and multiple importance sampling (Veach 1997), written once for both families of
-// radiometry: a camera path is an accumulator that light is deposited in and scattered along. Directions, roulette and MIS
-// weights know m00 alone; a Mueller matrix is made of what is not shadowed.
+// Path tracing with next-event estimation and multiple importance sampling (Veach 1997), written
+// once for both families of radiometry: a camera path is an accumulator that light is deposited in
+// and scattered along. Directions, roulette and MIS weights know m00 alone; a Mueller matrix is
+// made of what is not shadowed.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +29,8 @@ class PathIntegrator {
   const Counters& counters() const { return counters_; }
 
  private:
-  /// The last vertex that light can be connected to, for MIS: where it is, and how likely the direction from it was drawn. Sheets
-  /// are passed by both strategies and change neither.
+  /// The last vertex that light can be connected to, for MIS: where it is, and how likely the
+  /// direction from it was drawn. Sheets are passed by both strategies and change neither.
   struct LastVertex {
     Vec3 position;
     float pdf = 0;
@@ -40,15 +41,16 @@ class PathIntegrator {
     LastVertex last{ray.origin};
     float eta = 1;  // product of relative indices: roulette must not take refraction for absorption
     const int max_depth = scene_.integrator.max_depth;
-    for (int depth = 0;; ++depth) {
+    for (int depth = 0;;) {
       Hit hit;
       ++counters_.rays;
       if (!scene_.intersect(ray, hit)) return deposit_environment(last, depth);
       const Vec3 exitant = -ray.direction;
       deposit_emission(hit, exitant, last, depth);
-      if (depth + 1 == max_depth) return;
 
       const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, exitant);
+      const bool counts = scene_.integrator.sheets_count || !bsdf.is_sheet();
+      if (counts && depth + 1 == max_depth) return;
       if (!hit.sides_agree(exitant)) return;
       if (!bsdf.is_delta()) deposit_direct_light(hit, exitant, bsdf, depth, sampler);
 
@@ -58,11 +60,13 @@ class PathIntegrator {
       eta *= sample.eta;
       float survival = 1;
       if (depth + 1 >= scene_.integrator.rr_depth) {
-        survival = std::min(malus::max_channel(path_.throughput() * sample.weight) * eta * eta, 0.95f);
+        survival =
+            std::min(malus::max_channel(path_.throughput() * sample.weight) * eta * eta, 0.95f);
         if (!(sampler.next_1d() < survival)) return;
       }
       scatter(bsdf.template weight<R>(hit, exitant, sample), survival);
       if (!bsdf.is_sheet()) last = {hit.position, sample.pdf, sample.is_delta};
+      if (counts) ++depth;
       ray = hit.leave(sample.incident);
     }
   }
@@ -75,7 +79,8 @@ class PathIntegrator {
       path_.scatter(weight);
   }
 
-  /// The balance heuristic's weight of a direction drawn by the BSDF that next-event estimation draws with density `light_pdf`.
+  /// The balance heuristic's weight of a direction drawn by the BSDF that next-event estimation
+  /// draws with density `light_pdf`.
   static float bsdf_share(const LastVertex& last, float light_pdf) {
     return last.is_delta ? 1.0f : last.pdf / (last.pdf + light_pdf);
   }
@@ -87,10 +92,12 @@ class PathIntegrator {
   }
 
   void deposit_emission(const Hit& hit, const Vec3& exitant, const LastVertex& last, int depth) {
-    if (scene_.shapes[hit.shape].light < 0 || (depth == 0 && scene_.integrator.hide_emitters)) return;
+    if (scene_.shapes[hit.shape].light < 0 || (depth == 0 && scene_.integrator.hide_emitters))
+      return;
     const Rgb radiance = scene_.emitted(hit, exitant);
     if (malus::max_channel(radiance) <= 0) return;
-    const float share = last.is_delta ? 1.0f : bsdf_share(last, scene_.light_pdf(last.position, hit));
+    const float share =
+        last.is_delta ? 1.0f : bsdf_share(last, scene_.light_pdf(last.position, hit));
     path_.deposit(R::unpolarized(radiance * share));
   }
 
@@ -110,8 +117,9 @@ class PathIntegrator {
     path_.deposit(R::scatter(f, arriving) * (cosine * share / light.pdf));
   }
 
-  /// The light that arrives at a hit from a light's sample, unless something is in between. Sheets let it pass and act on it in
-  /// the light's order: the one nearest to the light first, though a shadow ray meets it last.
+  /// The light that arrives at a hit from a light's sample, unless something is in between. Sheets
+  /// let it pass and act on it in the light's order: the one nearest to the light first, though a
+  /// shadow ray meets it last.
   bool transmit(const Hit& from, const LightSample& light, int depth, typename R::Light& arriving) {
     const Vec3 light_goes = -light.direction;
     Ray ray = from.leave_for(light.position, light.direction);
@@ -121,7 +129,7 @@ class PathIntegrator {
       return !scene_.geometry.occluded(ray);
     }
     shadow_.begin();
-    for (int vertices = depth + 2;; ++vertices) {
+    for (int vertices = depth + 2;; vertices += scene_.integrator.sheets_count ? 1 : 0) {
       // As many vertices as a path that finds the light by itself would have.
       if (scene_.integrator.max_depth >= 0 && vertices > scene_.integrator.max_depth) return false;
       Hit hit;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the user gave is wrong: says where, which value, and what is allowed. Programs answer it with exit status 2.
+// What the user gave is wrong: says where, which value, and what is allowed. Programs answer it
+// with exit status 2.
 #pragma once
 
 #include <stdexcept>
@@ -28,7 +29,8 @@ class InputError : public std::runtime_error {
   }
 };
 
-/// The user's input is fine but the work could not be done (no space, no permission). Exit status 1.
+/// The user's input is fine but the work could not be done (no space, no permission). Exit
+/// status 1.
 class WorkError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

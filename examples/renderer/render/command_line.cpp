@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <map>
 #include <new>
 #include <optional>
@@ -64,17 +65,20 @@ void add_options(CLI::App& app, Arguments& a) {
             return std::string(text.starts_with('-') ? "a seed is not negative" : "");
           },
           ""));
-  app.add_option("--threads", a.threads, "Threads (default: all processors)")->check(CLI::Range(1, 4096));
+  app.add_option("--threads", a.threads, "Threads (default: all processors)")
+      ->check(CLI::Range(1, 4096));
   app.add_option("--sampler", a.sampler, "Random numbers")->check(CLI::IsMember({"independent"}));
   app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");
-  app.add_option("--stokes-frame", a.stokes_frame,
-                 "Where S1 and S2 are measured from: the picture's horizontal, counter-clockwise, or up")
+  app.add_option(
+         "--stokes-frame", a.stokes_frame,
+         "Where S1 and S2 are measured from: the picture's horizontal, counter-clockwise, or up")
       ->check(CLI::IsMember({"horizontal", "up"}))
       ->capture_default_str();
-  app.add_option("--stats", a.stats, "JSON file of counts, rates and, of a radiancemeter, readings");
+  app.add_option("--stats", a.stats,
+                 "JSON file of counts, rates and, of a radiancemeter, readings");
 }
 
 std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& texts) {
@@ -94,15 +98,17 @@ Mode resolve_mode(const std::string& name, const Scene& scene) {
   return name == "optimized" || scene.polarizes ? Mode::optimized : Mode::unpolarized;
 }
 
-void add_metadata(Image& image, const Arguments& a, const Scene& scene, const RenderOptions& options,
-                  const Rendering& rendering) {
+void add_metadata(Image& image, const Arguments& a, const Scene& scene,
+                  const RenderOptions& options, const Rendering& rendering) {
   auto& m = image.metadata;
-  m["malus:version"] = std::to_string(MALUS_VERSION_MAJOR) + "." + std::to_string(MALUS_VERSION_MINOR) +
-                       "." + std::to_string(MALUS_VERSION_PATCH);
+  m["malus:version"] = std::to_string(MALUS_VERSION_MAJOR) + "." +
+                       std::to_string(MALUS_VERSION_MINOR) + "." +
+                       std::to_string(MALUS_VERSION_PATCH);
   m["malus:stokes_frame"] = a.stokes_frame;
   m["malus:stokes_convention"] =
       a.stokes_frame == "horizontal"
-          ? "S1 > 0 horizontal, S2 > 0 at +45 degrees counter-clockwise, S3 > 0 right circular, seen "
+          ? "S1 > 0 horizontal, S2 > 0 at +45 degrees counter-clockwise, S3 > 0 right circular, "
+            "seen "
             "in the picture"
           : "S1 > 0 vertical, S2 > 0 at +45 degrees counter-clockwise from vertical, S3 > 0 right "
             "circular, seen in the picture";
@@ -116,8 +122,13 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   const auto definitions = parse_definitions(a.definitions);
   if (std::isnan(a.seconds)) throw InputError("--time: nan is not a number of seconds");
   check_writable(a.output);
-  if (!a.stats.empty()) check_writable(a.stats);
+  if (!a.stats.empty()) {
+    check_writable(a.stats);
+    if (std::filesystem::weakly_canonical(a.stats) == std::filesystem::weakly_canonical(a.output))
+      throw InputError("--stats " + a.stats + ": the picture is to be written there");
+  }
   Scene scene = build_scene(*read_scene(a.scene, definitions));
+  if (!a.integrator.empty()) scene.integrator.sheets_count = a.integrator == "path";
   for (const std::string& warning : scene.warnings) err << "warning: " << warning << '\n';
 
   RenderOptions options;

@@ -38,8 +38,8 @@ void ProgressBar::show(const Progress& p) {
   const std::string bar = std::string(static_cast<std::size_t>(done), '#') +
                           std::string(static_cast<std::size_t>(width - done), '.');
   const double left = p.fraction > 0 ? p.seconds * (1 - p.fraction) / p.fraction : 0;
-  std::fprintf(stderr, "\r[%s] %3.0f %%  %llu samples a pixel  %s left  noise %.2f %%   ", bar.c_str(),
-               100 * p.fraction, static_cast<unsigned long long>(p.samples_per_pixel),
+  std::fprintf(stderr, "\r[%s] %3.0f %%  %llu samples a pixel  %s left  noise %.2f %%   ",
+               bar.c_str(), 100 * p.fraction, static_cast<unsigned long long>(p.samples_per_pixel),
                clock_time(left).c_str(), 100 * p.noise);
   std::fflush(stderr);
   shown_ = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line on a terminal that says how far a rendering is. Silent where standard error is no terminal.
+// A line on a terminal that says how far a rendering is. Silent where standard error is no
+// terminal.
 #pragma once
 
 #include "render.hpp"

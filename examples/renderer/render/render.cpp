@@ -26,10 +26,9 @@ double seconds_since(Clock::time_point start) {
 constexpr int tile_size = 16;
 constexpr std::uint64_t samples_in_a_pass = 1 << 20;
 
-/// Small films are split into batches of samples, so that every thread has work and the batches' spread gives an error.
-std::size_t batches_of(std::size_t pixels) {
-  return std::clamp<std::size_t>(4096 / pixels, 1, 64);
-}
+/// Small films are split into batches of samples, so that every thread has work and the batches'
+/// spread gives an error.
+std::size_t batches_of(std::size_t pixels) { return std::clamp<std::size_t>(4096 / pixels, 1, 64); }
 
 /// One pass over the film: sample numbers [first, last) of every pixel.
 template <class R>
@@ -93,8 +92,7 @@ class Pass {
     const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
                        static_cast<std::size_t>(x);
     Sampler sampler(seed_, pixel, sample);
-    const Vec2 place =
-        Vec2(f.crop_x + x, f.crop_y + y) + 0.5f + f.filter.sample(sampler.next_2d());
+    const Vec2 place = Vec2(f.crop_x + x, f.crop_y + y) + 0.5f + f.filter.sample(sampler.next_2d());
     const Ray ray = scene_.sensor->ray(place / Vec2(f.width, f.height));
     const auto measured = integrator.measure(ray, sampler);
     for (std::size_t i = 0; i < 4; ++i)
@@ -123,11 +121,13 @@ Rendering render_as(const Scene& scene, const RenderOptions& options, const std:
   const bool timed = options.seconds > 0;
   const auto start = Clock::now();
   const auto stopped = [&] {
-    return stop.load(std::memory_order_relaxed) || (timed && seconds_since(start) > options.seconds);
+    return stop.load(std::memory_order_relaxed) ||
+           (timed && seconds_since(start) > options.seconds);
   };
   std::uint64_t done = 0;
   while (!stopped() && (timed || done < options.samples_per_pixel)) {
-    const std::uint64_t next = timed ? done + step : std::min(done + step, options.samples_per_pixel);
+    const std::uint64_t next =
+        timed ? done + step : std::min(done + step, options.samples_per_pixel);
     if (!pass.run(done, next, stopped)) break;
     done = next;
     if (!report) continue;
@@ -151,7 +151,8 @@ Rendering render(const Scene& scene, const RenderOptions& options, const std::at
   // More threads than processors are refused, with a message, unless they are allowed.
   std::optional<tbb::global_control> allowed;
   if (options.threads > 0)
-    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+    allowed.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(options.threads));
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   return arena.execute([&] {
     return options.mode == Mode::unpolarized

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Renders a scene: distributes samples over threads so that the picture depends on the seed alone, and stops when the samples are
-// taken, the time is up, or the user says so.
+// Renders a scene: distributes samples over threads so that the picture depends on the seed alone,
+// and stops when the samples are taken, the time is up, or the user says so.
 #pragma once
 
 #include <atomic>
@@ -20,14 +20,14 @@ struct RenderOptions {
   std::uint64_t samples_per_pixel = 4;  ///< with a time limit, without end
   double seconds = 0;                   ///< 0: no time limit
   std::uint64_t seed = 0;
-  int threads = 0;                      ///< 0: all there are
+  int threads = 0;  ///< 0: all there are
 };
 
 struct Progress {
   double fraction;  ///< done, of samples or of time
   double seconds;   ///< since the start
   std::uint64_t samples_per_pixel;
-  double noise;     ///< relative standard error of S0
+  double noise;  ///< relative standard error of S0
 };
 
 struct Rendering {

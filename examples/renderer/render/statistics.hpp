@@ -9,7 +9,8 @@
 
 namespace renderer {
 
-/// Iterations, time, rates, forms met; of a film of one pixel, its four Stokes components and their standard errors.
+/// Iterations, time, rates, forms met; of a film of one pixel, its four Stokes components and their
+/// standard errors.
 nlohmann::ordered_json statistics(const Scene& scene, const RenderOptions& options,
                                   const Rendering& rendering, StokesFrame frame, int threads);
 

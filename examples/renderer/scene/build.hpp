@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a scene file's objects to a scene. One factory a kind of plugin; each knows its plugins' names, parameters and defaults,
-// which are Mitsuba's, and refuses what it doesn't know.
+// From a scene file's objects to a scene. One factory a kind of plugin; each knows its plugins'
+// names, parameters and defaults, which are Mitsuba's, and refuses what it doesn't know.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ Scene build_scene(const Object& root);
 class MaterialFactory {
  public:
   explicit MaterialFactory(std::deque<Bsdf>& bsdfs) : bsdfs_(bsdfs) {}
-  /// The material of a <bsdf>; one for each object, however often it is referred to. Null: the default, diffuse of ½, or of 0
-  /// where the shape emits.
+  /// The material of a <bsdf>; one for each object, however often it is referred to. Null: the
+  /// default, diffuse of ½, or of 0 where the shape emits.
   Material make(const Object::Pointer& object, bool emits);
 
  private:
@@ -34,7 +34,8 @@ class MaterialFactory {
 };
 
 /// Adds a <shape>'s geometry and returns its number.
-std::uint32_t add_shape_geometry(const Object& shape, Geometry& geometry, std::vector<std::string>& warnings);
+std::uint32_t add_shape_geometry(const Object& shape, Geometry& geometry,
+                                 std::vector<std::string>& warnings);
 
 /// A <emitter> of a shape.
 AreaLight make_area_light(const Object& emitter, const Geometry& geometry, std::uint32_t shape);
@@ -45,6 +46,7 @@ void build_sensor(const Object& sensor, Scene& scene);
 void build_integrator(const Object& integrator, Scene& scene);
 
 /// "x" is not a bsdf that is known here; known are a, b, c.
-[[noreturn]] void fail_unknown_plugin(const Object& object, std::initializer_list<std::string_view> known);
+[[noreturn]] void fail_unknown_plugin(const Object& object,
+                                      std::initializer_list<std::string_view> known);
 
 }  // namespace renderer

@@ -163,6 +163,7 @@ void build_integrator(const Object& o, Scene& scene) {
     fail_unknown_plugin(o, {"path", "volpath", "and \"stokes\" around them"});
   IntegratorSettings& settings = scene.integrator;
   settings.name = "path";
+  settings.sheets_count = o.type() == "path";
   settings.max_depth = static_cast<int>(o.integer_in("max_depth", -1, -1, 1 << 20));
   if (settings.max_depth == 0) o.fail("max_depth", "max_depth is -1 (no limit) or at least 1");
   settings.rr_depth = static_cast<int>(o.integer_in("rr_depth", 5, 1, 1 << 20));

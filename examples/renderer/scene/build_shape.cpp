@@ -17,10 +17,11 @@ TriangleMesh unit_rectangle() {
   return m;
 }
 
-/// Corners (±1, ±1, ±1), normals outwards, and on each face the u and v that Mitsuba's cube has: v = u × n.
+/// Corners (±1, ±1, ±1), normals outwards, and on each face the u and v that Mitsuba's cube has: v
+/// = u × n.
 TriangleMesh unit_cube() {
-  constexpr glm::vec3 normals_and_u[6][2] = {{{0, -1, 0}, {0, 0, 1}},  {{0, 1, 0}, {-1, 0, 0}},
-                                             {{1, 0, 0}, {0, 1, 0}},   {{0, 0, 1}, {0, 1, 0}},
+  constexpr glm::vec3 normals_and_u[6][2] = {{{0, -1, 0}, {0, 0, 1}}, {{0, 1, 0}, {-1, 0, 0}},
+                                             {{1, 0, 0}, {0, 1, 0}},  {{0, 0, 1}, {0, 1, 0}},
                                              {{-1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, -1, 0}}};
   TriangleMesh m;
   for (const auto& [n, u] : normals_and_u) {

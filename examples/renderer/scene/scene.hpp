@@ -27,6 +27,8 @@ struct IntegratorSettings {
   std::string name = "path";
   int max_depth = -1;  ///< longest path: 1 is light seen directly, −1 no limit
   int rr_depth = 5;    ///< bounces before Russian roulette
+  /// Sheets are vertices of a path, as in Mitsuba's "path"; in its "volpath" they are not.
+  bool sheets_count = true;
   bool hide_emitters = false;
 };
 
@@ -38,17 +40,17 @@ struct Shape {
 
 struct Scene {
   Geometry geometry;
-  std::vector<Shape> shapes;    ///< by the geometry's numbers
-  std::deque<Bsdf> bsdfs;       ///< addresses stay
+  std::vector<Shape> shapes;  ///< by the geometry's numbers
+  std::deque<Bsdf> bsdfs;     ///< addresses stay
   std::vector<Emitter> lights;
-  int environment = -1;         ///< the constant light's number, −1 if there is none
+  int environment = -1;  ///< the constant light's number, −1 if there is none
   std::optional<Sensor> sensor;
   FilmSettings film;
   IntegratorSettings integrator;
   int samples_per_pixel = 4;
   std::uint64_t seed = 0;
-  bool has_sheets = false;      ///< shadow rays may have to pass through something
-  bool polarizes = false;       ///< something can polarise light
+  bool has_sheets = false;  ///< shadow rays may have to pass through something
+  bool polarizes = false;   ///< something can polarise light
   std::vector<std::string> warnings;
 
   bool intersect(const Ray& ray, Hit& hit) const {
@@ -66,7 +68,8 @@ struct Scene {
   /// The radiance that leaves a hit towards `exitant` of the light's own.
   Rgb emitted(const Hit& hit, const Vec3& exitant) const;
   Rgb environment_radiance() const;
-  /// The density, by solid angle from `from`, with which sample_light() finds a hit (the environment).
+  /// The density, by solid angle from `from`, with which sample_light() finds a hit (the
+  /// environment).
   float light_pdf(const Vec3& from, const Hit& hit) const;
   float environment_pdf() const { return light_choice() * ConstantLight::pdf(); }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sensors: where a camera ray of a point of the film starts, and in which frame its Stokes vector is read.
+// Sensors: where a camera ray of a point of the film starts, and in which frame its Stokes vector
+// is read.
 #pragma once
 
 #include <malus/frame.hpp>
@@ -16,7 +17,8 @@ class Sensor {
   /// The lens looks along the local +z; +x is the picture's left and +y its top, as in Mitsuba.
   struct Lens {
     Vec2 half_extent{1.0f};   ///< tangents of half the field of view
-    Vec2 principal_point{0};  ///< where on the film, from its centre, a camera without it looks: fractions of the film
+    Vec2 principal_point{0};  ///< where on the film, from its centre, a camera without it looks:
+                              ///< fractions of the film
     float near_clip = 1e-2f, far_clip = 1e4f;
   };
 

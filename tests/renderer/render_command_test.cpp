@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// malus-render as its user meets it: command lines, exit statuses, files written and files left
+// alone.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include "io/exr.hpp"
+#include "render/command_line.hpp"
+#include "scene_files.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using scene_test::Folder;
+
+struct Result {
+  int status = -1;
+  std::string out, err;
+};
+
+Result run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "malus-render");
+  std::vector<const char*> argv;
+  for (const auto& a : arguments) argv.push_back(a.c_str());
+  std::ostringstream out, err;
+  Result r;
+  r.status = renderer::malus_render(static_cast<int>(argv.size()), argv.data(), out, err);
+  r.out = out.str();
+  r.err = err.str();
+  return r;
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// In line 2, and what stands in line 3.
+std::string scene_text(const std::string& third,
+                       const std::string& sensor = "<sensor type=\"radiancemeter\"/>") {
+  return scene_test::in_scene(sensor + "\n" + third);
+}
+const std::string sky = "<emitter type=\"constant\"/>";
+
+/// One line that holds all parts, status 2, nothing on standard output, and what stood at the
+/// output stands there.
+void check_refused(const std::string& scene, std::initializer_list<std::string> parts,
+                   const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  const auto path = folder.write("scene.xml", scene);
+  const auto output = folder.write("out.exr", "precious");
+  std::vector<std::string> arguments{path.string(), "-o", output.string(), "--spp", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Result r = run(arguments);
+  CAPTURE(scene);
+  CAPTURE(r.err);
+  CHECK(r.status == 2);
+  CHECK(r.out.empty());
+  CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+  for (const auto& part : parts) {
+    CAPTURE(part);
+    CHECK(scene_test::contains(r.err, part));
+  }
+  CHECK(content(output) == "precious");
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 2);
+}
+
+}  // namespace
+
+TEST_CASE("malus-render: --help and --version succeed") {
+  const Result help = run({"--help"});
+  CHECK(help.status == 0);
+  CHECK_MESSAGE_HAS(help.out, "--spp", "--stokes-frame", "--stats");
+  CHECK(help.err.empty());
+  CHECK(run({"--version"}).status == 0);
+}
+
+TEST_CASE("malus-render: what is wrong in a scene is told with its file and line") {
+  check_refused(scene_text("<shape type=\"teapot\"/>"), {"scene.xml:3", "teapot", "rectangle"});
+  check_refused(scene_text("<bsdf type=\"velvet\"/>"), {"scene.xml:3", "velvet", "diffuse"});
+  check_refused(scene_text("<emitter type=\"sun\"/>"), {"scene.xml:3", "sun", "directional"});
+  check_refused(scene_text("<integrator type=\"photonmapper\"/>"),
+                {"scene.xml:3", "photonmapper", "path"});
+  check_refused(scene_text("<shape type=\"sphere\">\n<float name=\"raduis\" value=\"1\"/></shape>"),
+                {"scene.xml:4", "raduis", "radius"});
+  check_refused(scene_text("<shape type=\"sphere\"><float name=\"radius\" value=\"-1\"/></shape>"),
+                {"scene.xml:3", "radius", "-1"});
+  check_refused(
+      scene_text("<shape type=\"obj\"><string name=\"filename\" value=\"none.obj\"/></shape>"),
+      {"scene.xml:3", "none.obj"});
+  check_refused(scene_text("<shape type=\"sphere\">"), {"scene.xml:"});
+  check_refused(scene_text("<emitter type=\"constant\"/><emitter type=\"constant\"/>"),
+                {"scene.xml:3", "environment"});
+  check_refused(
+      scene_text(
+          "<integrator type=\"path\"><integer name=\"max_depth\" value=\"0\"/></integrator>"),
+      {"scene.xml:3", "max_depth"});
+  check_refused(
+      scene_text(
+          "<bsdf type=\"dielectric\"><string name=\"int_ior\" value=\"unobtainium\"/></bsdf>"),
+      {"scene.xml:3", "unobtainium", "bk7"});
+  check_refused(scene_text("<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>"),
+                {"scene.xml:3", "transmits"});
+  check_refused(scene_text(sky, ""), {"scene.xml:1", "sensor"});
+  check_refused(scene_text("<sensor type=\"radiancemeter\"/>"), {"scene.xml:3", "second"});
+  check_refused(scene_text(sky, "<sensor type=\"radiancemeter\"><film type=\"hdrfilm\"/></sensor>"),
+                {"scene.xml:2", "width 1"});
+  check_refused("not XML at all", {"scene.xml"});
+  check_refused("", {"scene.xml"});
+}
+
+TEST_CASE("malus-render: what is wrong on the command line is told in one line") {
+  const std::string good = scene_text(sky);
+  check_refused(good, {"-D", "NAME=VALUE"}, {"-D", "novalue"});
+  check_refused(good, {"-D", "nosuch"}, {"-D", "nosuch=1"});
+  check_refused(good, {"twice"}, {"-D", "a=1", "-D", "a=2"});
+  check_refused(good, {"--integrator"}, {"--integrator", "magic"});
+  check_refused(good, {"--mode"}, {"--mode", "magic"});
+  check_refused(good, {"--sampler"}, {"--sampler", "magic"});
+  check_refused(good, {"--stokes-frame"}, {"--stokes-frame", "down"});
+  check_refused(good, {"--threads"}, {"--threads", "0"});
+  check_refused(good, {"--seed"}, {"--seed", "-1"});
+  check_refused(good, {"--time"}, {"--time", "1"});
+  check_refused(good, {"nosuch"}, {"--nosuch"});
+  check_refused(good, {"stats"}, {"--stats", "/no/such/folder/stats.json"});
+
+  const Folder folder;
+  const std::string scene = folder.write("scene.xml", good).string();
+  const std::string output = (folder.path() / "out.exr").string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{},
+        {scene},
+        {"-o", output},
+        {(folder.path() / "none.xml").string(), "-o", output},
+        {folder.path().string(), "-o", output},
+        {scene, "-o", output, "--spp", "0"},
+        {scene, "-o", output, "--time", "nan"},
+        {scene, "-o", output, "--time", "-3"},
+        {scene, "-o", output, "--spp", "many"},
+        {scene, "-o", (folder.path() / "no" / "out.exr").string()},
+        {scene, "-o", folder.path().string()},
+        {scene, "-o", ""}}) {
+    const Result r = run(arguments);
+    CAPTURE(r.err);
+    CHECK(r.status == 2);
+    CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(output));
+  }
+}
+
+TEST_CASE("malus-render: a file or folder that must not be written is left alone") {
+  if (geteuid() == 0) return;  // the superuser may write anything
+  const Folder folder;
+  const std::string scene = folder.write("scene.xml", scene_text(sky)).string();
+  const auto output = folder.write("out.exr", "precious");
+  ::chmod(output.c_str(), 0444);
+  CHECK(run({scene, "-o", output.string()}).status == 2);
+  CHECK(content(output) == "precious");
+}
+
+TEST_CASE("malus-render: writes R G B and the four Stokes components, and says what they are") {
+  const Folder folder;
+  const std::string law = std::string(MALUS_SCENES_DIR) + "/malus_law.xml";
+  const auto output = (folder.path() / "out.exr").string(),
+             stats = (folder.path() / "stats.json").string();
+  const auto up = (folder.path() / "up.exr").string();
+  const Result r =
+      run({law, "-o", output, "--stats", stats, "--spp", "128", "--seed", "7", "-D", "angle=30"});
+  CAPTURE(r.err);
+  REQUIRE(r.status == 0);
+  CHECK_MESSAGE_HAS(r.out, "1 x 1", "128 samples");
+  const auto image = renderer::read_exr(output);
+  CHECK(image.channels.size() == 15);
+  CHECK(image.plane("S0.R")[0] == doctest::Approx(0.375));
+  CHECK(image.plane("R")[0] == image.plane("S0.R")[0]);
+  CHECK(image.plane("S1.G")[0] == doctest::Approx(0.1875));
+  CHECK(image.plane("S2.B")[0] == doctest::Approx(-0.375 * std::sqrt(0.75)));
+  CHECK(image.metadata.at("malus:stokes_frame") == "horizontal");
+  CHECK(image.metadata.at("malus:mode") == "optimized");
+  CHECK(image.metadata.at("malus:seed") == "7");
+  CHECK(image.metadata.at("malus:samples_per_pixel") == "128");
+
+  const auto json = nlohmann::json::parse(content(stats));
+  CHECK(json["measurement"]["S0"][0].get<double>() == doctest::Approx(0.375));
+  CHECK(json["measurement"]["S2"][2].get<double>() == doctest::Approx(-0.375 * std::sqrt(0.75)));
+  CHECK(json["standard_error"]["S0"].size() == 3);
+  CHECK(json["samples"] == 128);
+  CHECK(json["seed"] == 7);
+  CHECK(json["interrupted"] == false);
+
+  REQUIRE(
+      run({law, "-o", up, "--stokes-frame", "up", "--spp", "128", "--seed", "7", "-D", "angle=30"})
+          .status == 0);
+  const auto turned = renderer::read_exr(up);
+  CHECK(turned.metadata.at("malus:stokes_frame") == "up");
+  for (const std::string& c : image.channels) {
+    const bool negated = c.starts_with("S1") || c.starts_with("S2");
+    CHECK(turned.plane(c)[0] == (negated ? -image.plane(c)[0] : image.plane(c)[0]));
+  }
+}
+
+TEST_CASE("malus-render: auto is the unpolarised mode bit for bit where nothing polarises") {
+  const Folder folder;
+  const auto render = [&](const std::string& scene, const std::string& mode) {
+    const auto output = (folder.path() / (mode + ".exr")).string();
+    REQUIRE(run({std::string(MALUS_SCENES_DIR) + "/" + scene, "-o", output, "--mode", mode, "--spp",
+                 "2", "-D", "resolution=24"})
+                .status == 0);
+    return renderer::read_exr(output);
+  };
+  const auto automatic = render("diffuse.xml", "auto"),
+             without = render("diffuse.xml", "unpolarized");
+  CHECK(automatic.metadata.at("malus:mode") == "unpolarized");
+  CHECK(automatic.data == without.data);
+  const auto glass = render("box.xml", "auto"), with = render("box.xml", "optimized");
+  CHECK(glass.metadata.at("malus:mode") == "optimized");
+  CHECK(glass.data == with.data);
+}
+
+TEST_CASE("malus-render: Mitsuba's stokes wrapper and volpath are taken as they are") {
+  const Folder folder;
+  const auto scene = folder.write(
+      "scene.xml",
+      scene_text("<integrator type=\"stokes\"><integrator type=\"volpath\"/></integrator>" + sky));
+  CHECK(run({scene.string(), "-o", (folder.path() / "out.exr").string()}).status == 0);
+}
+
+namespace {
+void ignore_signal(int) {}
+}  // namespace
+
+TEST_CASE("malus-render: an interrupt writes what there is and exits with 130") {
+  const Folder folder;
+  const auto output = (folder.path() / "out.exr").string(),
+             stats = (folder.path() / "stats.json").string();
+  std::signal(SIGINT, ignore_signal);
+  std::thread user([] {
+    // Once the renderer listens, and has had time for some samples.
+    for (;;) {
+      struct sigaction now {};
+      ::sigaction(SIGINT, nullptr, &now);
+      if (now.sa_handler != ignore_signal) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::raise(SIGINT);
+  });
+  const Result r = run({std::string(MALUS_SCENES_DIR) + "/diffuse.xml", "-o", output, "--stats",
+                        stats, "--time", "60", "-D", "resolution=32"});
+  user.join();
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  CHECK(r.status == 130);
+  CHECK_MESSAGE_HAS(r.err, "interrupted");
+  const auto image = renderer::read_exr(output);
+  CHECK(image.width == 32);
+  CHECK(*std::max_element(image.data.begin(), image.data.end()) > 0);
+  const auto json = nlohmann::json::parse(content(stats));
+  CHECK(json["interrupted"] == true);
+  CHECK(json["samples"].get<double>() > 0);
+  CHECK(json["seconds"].get<double>() < 30);
+}
