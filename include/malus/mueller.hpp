@@ -45,7 +45,7 @@ class Mueller {
     if constexpr (!is_dynamic) value_.fill(V(0));
   }
 
-  // Makers, one a form; each is there for the form itself and for dynamic ----
+  // Makers, one a form; each is there for the form itself and for dynamic
 
   /// a·I for light that goes on as it came.
   static constexpr Mueller plain(const V& a)
@@ -139,7 +139,7 @@ class Mueller {
     if constexpr (needs_exit_frame(Other)) exit_ = decltype(exit_)(m.exit());
   }
 
-  // Observers ----
+  // Observers
 
   constexpr MuellerForm form() const { return flag_.value(); }
 

@@ -71,7 +71,7 @@ message_of() {
 compiler_says() {
   (cd "$(dirname "$1")" && "$compiler" -std=c++20 -fsyntax-only -isystem "$root/include" "${extra[@]}" -DMALUS_FAIL \
     "$(basename "$1")" 2>&1) |
-    sed -E -e '/^In file included from /d' -e '/^ +from /d' -e 's|^[^ ]*/(malus/[^: ]*):[0-9]+:[0-9]+:|\1:|' |
+    sed -E -e '/^In file included from /d' -e '/^ +from /d' -e 's|^.*/(malus/[^: ]*):[0-9]+:[0-9]+:|\1:|' |
     awk '/^malus\// { header = 1 } header { sub(/^ *[0-9]+ \|/, "      |") } { print }'
 }
 

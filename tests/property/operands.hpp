@@ -59,7 +59,7 @@ inline std::string name(ImportanceForm f) {
   return names[static_cast<std::size_t>(f)];
 }
 
-// drawing ----
+// Drawing
 
 /// A number of [−2, 2] that float holds exactly.
 inline rc::Gen<double> component() {
@@ -127,7 +127,7 @@ malus::Frame<T> draw_frame(const reference::Axis& d) {
   return to_frame<T>(axes_about(d, *angle()));
 }
 
-// which components a form may have, for the reference ----
+// Which components a form may have, for the reference
 
 /// 'a' is one value, 'b' another, '*' each its own, '.' zero.
 inline const char* pattern(MuellerForm f) {
@@ -158,9 +158,9 @@ reference::Matrix masked_matrix(Form form, const std::vector<double>& drawn, std
   return m;
 }
 
-// operands ----
+// Operands
 
-template <class V>
+template <malus::SpectralValue V>
 inline constexpr std::size_t channels = malus::channel_count<V>;
 
 /// One value a channel: component i of all channels.

@@ -157,9 +157,11 @@ TEST_CASE("malus-render: what is wrong on the command line is told in one line")
 }
 
 TEST_CASE("malus-render: a file or folder that must not be written is left alone") {
-  if (geteuid() == 0) return;  // the superuser may write anything
   const Folder folder;
   const std::string scene = folder.write("scene.xml", scene_text(sky)).string();
+  CHECK(run({scene, "-o", folder.path().string()}).status == 2);
+  CHECK(run({scene, "-o", (folder.path() / "none" / "out.exr").string()}).status == 2);
+  if (geteuid() == 0) return;  // the superuser may write anything
   const auto output = folder.write("out.exr", "precious");
   ::chmod(output.c_str(), 0444);
   CHECK(run({scene, "-o", output.string()}).status == 2);

@@ -43,7 +43,7 @@ using RowOfArriving = Analyzer<Rgb, incident>;
 using RowOfLeaving = Analyzer<Rgb, exitant>;
 using Readings = Measurement<Rgb>;
 
-// light and matrices ----
+// Light and matrices
 static_assert(std::same_as<Product<Bsdf, Arriving>, Leaving>);
 static_assert(std::same_as<Product<Transmittance, Leaving>, Arriving>);
 static_assert(std::same_as<Product<Bsdf, Scattered>, Bsdf>);
@@ -57,7 +57,7 @@ static_assert(!Multiplies<Leaving, Bsdf>);
 static_assert(!Multiplies<Leaving, Leaving>, "inner_product");
 static_assert(!Multiplies<Arriving, Leaving>);
 
-// measuring ----
+// Measuring
 static_assert(std::same_as<Product<OfLeaving, Bsdf>, OfArriving>);
 static_assert(std::same_as<Product<OfArriving, Transmittance>, OfLeaving>);
 static_assert(std::same_as<Product<OfArriving, Arriving>, Readings>);
@@ -81,7 +81,7 @@ static_assert(!Multiplies<Readings, Leaving> && !Multiplies<Leaving, Readings>);
 static_assert(!Multiplies<Readings, OfLeaving> && !Multiplies<OfLeaving, Readings>);
 static_assert(!Multiplies<Readings, Readings>);
 
-// sums ----
+// Sums
 static_assert(std::same_as<Sum<Leaving, Leaving>, Leaving>);
 static_assert(std::same_as<Sum<Bsdf, Bsdf>, Bsdf>);
 static_assert(std::same_as<Sum<OfLeaving, OfLeaving>, OfLeaving>);
@@ -100,7 +100,7 @@ static_assert(!Adds<OfLeaving, Bsdf> && !Adds<OfLeaving, RowOfLeaving> &&
 static_assert(!Adds<RowOfLeaving, Leaving>);
 static_assert(!Adds<Leaving, Rgb> && !Adds<Leaving, float> && !Adds<Bsdf, float>);
 
-// scaling ----
+// Scaling
 static_assert(std::same_as<Product<Rgb, Leaving>, Leaving> &&
               std::same_as<Product<Leaving, Rgb>, Leaving>);
 static_assert(std::same_as<Product<float, Bsdf>, Bsdf> && std::same_as<Product<Bsdf, float>, Bsdf>);
@@ -114,7 +114,7 @@ static_assert(!MultipliesInPlace<RowOfArriving, Arriving>, "a reading is no anal
 static_assert(!MultipliesInPlace<OfArriving, Arriving>);
 static_assert(!MultipliesInPlace<Bsdf, Arriving>);
 
-// propagation ----
+// Propagation
 static_assert(std::same_as<decltype(propagate(Leaving())), Arriving>);
 static_assert(std::same_as<decltype(propagate(Bsdf())), Scattered>);
 static_assert(std::same_as<decltype(propagate(OfArriving())), OfLeaving>);
@@ -129,11 +129,11 @@ static_assert(!PropagatesThrough<Arriving, Transmittance> &&
               !PropagatesThrough<OfLeaving, Transmittance>);
 static_assert(!PropagatesThrough<Leaving, Bsdf>, "a BSDF is no transmittance");
 
-// the loops of a path tracer keep their types ----
+// The loops of a path tracer keep their types
 static_assert(std::same_as<Product<Bsdf, decltype(propagate(Leaving()))>, Leaving>);
 static_assert(std::same_as<Product<decltype(propagate(OfArriving())), Bsdf>, OfArriving>);
 
-// the adjoint ----
+// The adjoint
 template <MuellerForm Form, class In, class Out>
 using OfForm = Mueller<float, In, Out, Frame<float>, Frame<float>, Form>;
 static_assert(std::same_as<decltype(adjoint(Bsdf())), Transmittance>);
@@ -141,7 +141,7 @@ static_assert(
     std::same_as<decltype(adjoint(OfForm<MuellerForm::depolarizing_enter, incident, exitant>())),
                  OfForm<MuellerForm::depolarizing_exit, exitant, incident>>);
 
-// inner product and equality ----
+// Inner product and equality
 static_assert(HasInnerProduct<Leaving, Leaving> && !HasInnerProduct<Leaving, Arriving>);
 static_assert(!HasInnerProduct<Leaving, Stokes<float>> && !HasInnerProduct<Leaving, OfLeaving>);
 static_assert(Compares<Leaving, Leaving> && Compares<Bsdf, Bsdf> &&
@@ -150,13 +150,13 @@ static_assert(Compares<Bsdf, BlockMueller<Rgb>>, "forms need not agree");
 static_assert(!Compares<Leaving, Arriving> && !Compares<Leaving, Bsdf> &&
               !Compares<Leaving, Readings>);
 
-// values ----
+// Values
 static_assert(!Multiplies<Mueller<float>, Stokes<double, incident>>);
 static_assert(!Multiplies<Bsdf, Stokes<float, incident>>);
 static_assert(!Adds<Stokes<float>, Stokes<double>>);
 static_assert(!Adds<Stokes<Spectrum<float, 4>>, Stokes<Spectrum<float, 8>>>);
 
-// static frames ----
+// Static frames
 struct Lab;
 struct Bench;
 using InLab = StaticFrame<Lab>;
@@ -188,11 +188,11 @@ static_assert(std::same_as<Sum<Static<MuellerForm::block>, Static<MuellerForm::p
 static_assert(Product<BlockMueller<float, exitant, exitant>,
                       BlockMueller<float, exitant, exitant>>::static_form == MuellerForm::full);
 
-// no GLM type is an argument of these classes: its operators would join every look-up ----
+// No GLM type is an argument of these classes: its operators would join every look-up
 static_assert(!Multiplies<Bsdf, glm::mat4> && !Multiplies<glm::mat4, Leaving> &&
               !Adds<Leaving, glm::vec4>);
 
-// nothing converts by itself ----
+// Nothing converts by itself
 static_assert(!std::convertible_to<Leaving, Arriving> && !std::convertible_to<Arriving, Leaving>);
 static_assert(!std::convertible_to<Bsdf, Transmittance> && !std::convertible_to<Readings, Leaving>);
 static_assert(!std::convertible_to<Leaving, Readings> && !std::convertible_to<Rgb, Leaving>);
