@@ -37,8 +37,7 @@
 
 // g++ 12 with AVX-512 moves a constant whose upper part is zero as a broadcast of its lower part:
 // (a, a, a, a, 0, 0, 0, 0) arrives as eight times a. There, makers hide what they store from the
-// optimiser (detail::hide_constant). The flag -mtune-ctrl=^inter_unit_moves_to_vec mends the
-// compiler for other code.
+// optimiser (detail::hide_constant). -fno-tree-slp-vectorize avoids it in other code.
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12 && defined(__AVX512F__)
 #define MALUS_HIDE_CONSTANTS 1
 #else
