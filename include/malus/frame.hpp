@@ -155,11 +155,6 @@ class Frame {
 template <class Tag>
 struct StaticFrame {};
 
-/// Frames that an operation may bring together: two run-time frames of one precision, or one and
-/// the same static frame.
-template <class F, class G>
-concept CompatibleFrames = FrameType<F> && std::same_as<F, G>;
-
 namespace detail {
 
 #if MALUS_CHECK_FRAMES

@@ -21,7 +21,6 @@ struct BsdfSample {
   bool is_delta = false;
 };
 
-using malus::BlockMueller;
 using MuellerFrame = malus::Frame<float>;
 
 /// The frames of a specular event at a normal.

@@ -35,7 +35,7 @@ struct Hit {
     normal = -normal;
   }
   /// A ray that leaves towards w, from far enough off the surface not to meet it again.
-  Ray leave(const Vec3& w, float length = infinity) const { return {offset(w), w, length}; }
+  Ray leave(const Vec3& w) const { return {offset(w), w}; }
   /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it
   /// starts: a parallel one would meet a sphere before a point on its limb.
   Ray leave_for(const Vec3& target, const Vec3& w) const {

@@ -173,14 +173,6 @@ MALUS_INLINE constexpr void turn_exit(const Turn& turn, const V* m, V* out) {
   turn_column<Out, M, 3>(turn, m, out);
 }
 
-/// m = m·R⁻¹ in place: the enter frame turned by R, for matrices of a form with whole rows.
-template <MuellerForm M, class Turn, class V>
-MALUS_INLINE constexpr void turn_enter(const Turn& turn, V* m) {
-  static_assert(M == MuellerForm::full || M == MuellerForm::depolarizing_exit);
-  constexpr int rows = M == MuellerForm::full ? 4 : 1;
-  for (int r = 0; r < rows; ++r) rotate(turn, m[4 * r + 1], m[4 * r + 2]);
-}
-
 /// The form that a matrix of form M has once its exit frame has been turned.
 template <MuellerForm M>
 constexpr auto turned_form() {
