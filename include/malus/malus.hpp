@@ -22,6 +22,7 @@
 #include <malus/optics/diattenuator.hpp>
 #include <malus/optics/frames.hpp>
 #include <malus/optics/fresnel.hpp>
+#include <malus/optics/microfacet.hpp>
 #include <malus/optics/polarizer.hpp>
 #include <malus/optics/retarder.hpp>
 #include <malus/optics/rotator.hpp>

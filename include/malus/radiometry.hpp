@@ -16,6 +16,7 @@ struct Unpolarized {
   using Value = V;
   using Light = V;                ///< exitant radiance
   using Scattering = V;           ///< BSDF, phase function or transmittance value
+  using Importance = V;           ///< what a sensor weighs incident radiance by
   using CameraPath = PathSum<V>;  ///< deposits and scatterings of a path, and their result
   static constexpr bool polarized = false;
 
@@ -25,9 +26,11 @@ struct Unpolarized {
   /// f acts on light that reached its vertex.
   static Light scatter(const Scattering& f, const Light& light) { return f * light; }
   static const V& m00(const Scattering& f) { return f; }
-  /// What a sensor whose image axes are `frame` reads.
-  static Measurement<V> measure(const Light& light, const Frame<scalar_t<V>>&) {
-    return {light, V(0), V(0), V(0)};
+  /// The importance that a sensor whose image axes are `frame` emits.
+  static Importance importance(const V& w, const Frame<scalar_t<V>>&) { return w; }
+  /// What a sensor reads of light that is on its way to it.
+  static Measurement<V> measure(const Importance& w, const Light& light) {
+    return {w * light, V(0), V(0), V(0)};
   }
 };
 
@@ -37,6 +40,7 @@ struct Polarized {
   using Value = V;
   using Light = Stokes<V, exitant>;
   using Scattering = Mueller<V, incident, exitant>;
+  using Importance = malus::Importance<V, incident>;
   using CameraPath = PathSweep<V>;
   static constexpr bool polarized = true;
 
@@ -45,10 +49,13 @@ struct Polarized {
   static Scattering plain(const V& a) { return Scattering::plain(a); }
   static Light scatter(const Scattering& f, const Light& light) { return f * propagate(light); }
   static V m00(const Scattering& f) { return f.m00(); }
-  /// The paper's measurement equation with W_e = [Id, F_v]: the four Stokes components in the
-  /// sensor's frame.
-  static Measurement<V> measure(const Light& light, const Frame<scalar_t<V>>& frame) {
-    return Importance<V, incident>::plain(V(1), frame) * propagate(light);
+  /// W_e = [w Id, F_v]: the four Stokes components in the sensor's frame, times w.
+  static Importance importance(const V& w, const Frame<scalar_t<V>>& frame) {
+    return Importance::plain(w, frame);
+  }
+  /// The paper's measurement equation (2), for one path.
+  static Measurement<V> measure(const Importance& w, const Light& light) {
+    return w * propagate(light);
   }
 };
 

@@ -32,7 +32,8 @@ concept Radiometry = requires(typename R::Light light, typename R::Scattering f,
   { light* v } -> std::convertible_to<typename R::Light>;
   { f* v } -> std::convertible_to<typename R::Scattering>;
   { R::m00(f) } -> std::convertible_to<V>;
-  { R::measure(light, frame) } -> std::same_as<malus::Measurement<V>>;
+  { R::importance(v, frame) } -> std::same_as<typename R::Importance>;
+  { R::measure(R::importance(v, frame), light) } -> std::same_as<malus::Measurement<V>>;
   path.begin();
   path.deposit(light);
   path.scatter(f);
@@ -57,7 +58,7 @@ malus::Measurement<double> two_bounces(const malus::Frame<double>& sensor) {
   path.deposit(R::scatter(R::depolarizer(0.5), R::unpolarized(3)));
   path.scatter(R::depolarizer(0.5));
   path.deposit(R::scatter(R::depolarizer(0.25) * 2.0, R::unpolarized(4)) * 0.25);
-  return R::measure(path.result(), sensor);
+  return R::measure(R::importance(1, sensor), path.result());
 }
 
 }  // namespace
@@ -77,8 +78,8 @@ TEST_CASE("a polarised measurement is the four components in the sensor's frame"
     const auto frame = random.frame();
     const malus::Stokes<double> light(1, 0.3, -0.2, 0.5, frame.turned(random.between(0, 6)));
     const auto expected = light.expressed_in(frame);
-    const Four four{expected[0], expected[1], expected[2], expected[3]};
-    CHECK(deviation_of_four(R::measure(light, frame), four) <= 1e-14);
+    const Four four{2 * expected[0], 2 * expected[1], 2 * expected[2], 2 * expected[3]};
+    CHECK(deviation_of_four(R::measure(R::importance(2, frame), light), four) <= 1e-14);
   }
 }
 
