@@ -20,6 +20,7 @@ dependency() {
     json) echo "header:nlohmann/json.hpp nlohmann-json3-dev" ;;
     tinyobjloader) echo "header:tiny_obj_loader.h libtinyobjloader-dev" ;;
     png) echo "header:png.h libpng-dev" ;;
+    stb) echo "header:stb/stb_image.h|stb_image.h libstb-dev" ;;
     doctest) echo "header:doctest/doctest.h doctest-dev" ;;
     rapidcheck) echo "header:rapidcheck.h librapidcheck-dev" ;;
     benchmark) echo "header:benchmark/benchmark.h libbenchmark-dev" ;;

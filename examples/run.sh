@@ -8,7 +8,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
 source cmake/dependencies.sh
-require_dependencies compiler cmake ninja glm embree openexr tbb pugixml cli11 json tinyobjloader png
+require_dependencies compiler cmake ninja glm embree openexr tbb pugixml cli11 json tinyobjloader png stb
 
 build="$root/build/examples"
 out="$root/out"

@@ -23,7 +23,7 @@ for stage in "${stages[@]}"; do
 done
 
 source cmake/dependencies.sh
-require_dependencies compiler cmake ninja pkg-config glm embree openexr tbb pugixml cli11 json tinyobjloader png \
+require_dependencies compiler cmake ninja pkg-config glm embree openexr tbb pugixml cli11 json tinyobjloader png stb \
   doctest rapidcheck benchmark clang clang-tidy clang-format
 
 jobs=$(nproc)

@@ -60,7 +60,7 @@ TEST_CASE("emitter: the density of a sample is the one that its point is asked f
       Hit hit;
       const bool met = scene.intersect(ray, hit) && scene.shapes[hit.shape].light >= 0;
       if (scene.environment >= 0) {
-        if (!met) CHECK(light.pdf == doctest::Approx(scene.environment_pdf()));
+        if (!met) CHECK(light.pdf == doctest::Approx(scene.environment_pdf(light.direction)));
         continue;
       }
       // Another part of the light is before it; or rounding may miss what is seen at a grazing
@@ -95,7 +95,7 @@ TEST_CASE("emitter: densities integrate to the chance that a sample is found and
       const Vec3 d = renderer::square_to_sphere(sampler.next_2d());
       double value = 0;
       if (scene.environment >= 0)
-        value = static_cast<double>(scene.environment_pdf());
+        value = static_cast<double>(scene.environment_pdf(d));
       else if (scene.intersect({c.from, d, renderer::infinity}, hit) &&
                malus::max_channel(scene.emitted(hit, -d)) > 0)
         value = static_cast<double>(scene.light_pdf(c.from, hit));

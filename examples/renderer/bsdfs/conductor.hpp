@@ -2,39 +2,42 @@
 // A smooth conductor of complex index eta + ik, one a channel. Its front alone reflects.
 #pragma once
 
+#include "../textures/texture.hpp"
 #include "sample.hpp"
 
 namespace renderer {
 
 struct Conductor {
   Rgb eta{0.0f}, k{1.0f};
-  Rgb specular_reflectance{1.0f};
+  ColorTexture specular_reflectance{Rgb(1.0f)};
 
   static constexpr bool is_delta = true;
   static constexpr bool polarizes = true;
 
-  bool sample(const Hit& hit, const Vec3& exitant, Sampler&, BsdfSample& result) const {
-    const float cos_o = glm::dot(hit.normal, exitant);
-    if (cos_o <= 0) return false;
-    result.incident = glm::normalize(reflect_about(exitant, hit.normal));
+  bool sample(const SurfacePoint& point, const Vec3& known, Tracing, Sampler&,
+              BsdfSample& result) const {
+    const float c = glm::dot(point.normal, known);
+    if (c <= 0) return false;
+    result.direction = glm::normalize(reflect_about(known, point.normal));
     result.is_delta = true;
-    result.pdf = 1;
+    result.pdf = result.reverse_pdf = 1;
     result.weight =
-        specular_reflectance *
+        specular_reflectance(point) *
         malus::map_channels(
-            [&](float n, float x) { return malus::fresnel_conductor(cosine(cos_o), n, x).mean(); },
-            eta, k);
+            [&](float n, float x) { return malus::fresnel_conductor(cosine(c), n, x).mean(); }, eta,
+            k);
     return true;
   }
 
   template <class R>
-  typename R::Scattering weight(const Hit& hit, const Vec3& exitant,
+  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
                                 const BsdfSample& sample) const {
     if constexpr (R::polarized) {
-      const auto frames = specular_frames(hit.normal, sample.incident, exitant);
-      const float cos_o = cosine(glm::dot(hit.normal, exitant));
-      return malus::conductor_reflection(cos_o, eta, k, frames.enter, frames.exit) *
-             specular_reflectance;
+      const Flow flow(known, sample.direction, tracing);
+      const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);
+      const float c = cosine(glm::dot(point.normal, known));
+      return malus::conductor_reflection(c, eta, k, frames.enter, frames.exit) *
+             specular_reflectance(point);
     } else {
       return sample.weight;
     }

@@ -4,45 +4,47 @@
 #pragma once
 
 #include "../core/warp.hpp"
+#include "../textures/texture.hpp"
 #include "sample.hpp"
 
 namespace renderer {
 
 struct Diffuse {
-  Rgb reflectance{0.5f};
+  ColorTexture reflectance{Rgb(0.5f)};
 
   static constexpr bool is_delta = false;
   static constexpr bool polarizes = false;
 
-  bool sample(const Hit& hit, const Vec3& exitant, Sampler& sampler, BsdfSample& result) const {
+  bool sample(const SurfacePoint& point, const Vec3& known, Tracing, Sampler& sampler,
+              BsdfSample& result) const {
     const Vec2 u = sampler.next_2d();
-    if (glm::dot(hit.normal, exitant) <= 0) return false;
+    const float cos_known = glm::dot(point.normal, known);
+    if (cos_known <= 0) return false;
     const Vec3 d = square_to_cosine_hemisphere(u);
     if (d.z <= 0) return false;
-    const Basis basis(hit.normal);
-    result.incident = glm::normalize(d.x * basis.s + d.y * basis.t + d.z * hit.normal);
-    result.weight = reflectance;
+    const Basis basis(point.normal);
+    result.direction = d.x * basis.s + d.y * basis.t + d.z * point.normal;
+    result.weight = reflectance(point);
     result.pdf = d.z / pi;
+    result.reverse_pdf = cos_known / pi;
     return true;
   }
 
-  float pdf(const Hit& hit, const Vec3& incident, const Vec3& exitant) const {
-    const float cos_i = glm::dot(hit.normal, incident);
-    return cos_i > 0 && glm::dot(hit.normal, exitant) > 0 ? cos_i / pi : 0.0f;
-  }
-
-  Rgb m00(const Hit& hit, const Vec3& incident, const Vec3& exitant) const {
-    const bool reflects = glm::dot(hit.normal, incident) > 0 && glm::dot(hit.normal, exitant) > 0;
-    return reflects ? reflectance / pi : Rgb(0.0f);
+  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+    const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
+    if (cos_i <= 0 || cos_o <= 0) return {};
+    return {reflectance(point) * (1 / pi), cos_i / pi, cos_o / pi, Rgb(0.0f)};
   }
 
   template <class R>
-  typename R::Scattering evaluate(const Hit& hit, const Vec3& incident, const Vec3& exitant) const {
-    return R::depolarizer(m00(hit, incident, exitant));
+  typename R::Scattering scattering(const SurfacePoint&, const Vec3&, const Vec3&,
+                                    const BsdfValue& value) const {
+    return R::depolarizer(value.m00);
   }
 
   template <class R>
-  typename R::Scattering weight(const Hit&, const Vec3&, const BsdfSample& sample) const {
+  typename R::Scattering weight(const SurfacePoint&, const Vec3&, Tracing,
+                                const BsdfSample& sample) const {
     return R::depolarizer(sample.weight);
   }
 };

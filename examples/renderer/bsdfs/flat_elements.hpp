@@ -13,17 +13,19 @@ template <class Sheet>
 struct StraightThrough {
   static constexpr bool is_delta = true;
 
-  bool sample(const Hit& hit, const Vec3& exitant, Sampler&, BsdfSample& result) const {
-    result.incident = -exitant;
+  bool sample(const SurfacePoint& point, const Vec3& known, Tracing, Sampler&,
+              BsdfSample& result) const {
+    result.direction = -known;
     result.is_delta = true;
-    result.pdf = 1;
-    result.weight = sheet().template transmit<malus::Unpolarized<Rgb>>(hit, exitant);
+    result.pdf = result.reverse_pdf = 1;
+    result.weight = sheet().template transmit<malus::Unpolarized<Rgb>>(point, known);
     return true;
   }
 
   template <class R>
-  typename R::Scattering weight(const Hit& hit, const Vec3& exitant, const BsdfSample&) const {
-    return sheet().template transmit<R>(hit, exitant);
+  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                                const BsdfSample& sample) const {
+    return sheet().template transmit<R>(point, Flow(known, sample.direction, tracing).exitant);
   }
 
  private:
@@ -31,8 +33,9 @@ struct StraightThrough {
 };
 
 /// A direction in the sheet, at an angle from its tangent ∂p/∂u towards n × ∂p/∂u.
-inline Vec3 axis_in_sheet(const Hit& hit, float angle) {
-  return std::cos(angle) * hit.tangent + std::sin(angle) * glm::cross(hit.normal, hit.tangent);
+inline Vec3 axis_in_sheet(const SurfacePoint& point, float angle) {
+  return std::cos(angle) * point.tangent +
+         std::sin(angle) * glm::cross(point.normal, point.tangent);
 }
 
 struct LinearPolarizer : StraightThrough<LinearPolarizer> {
@@ -43,13 +46,14 @@ struct LinearPolarizer : StraightThrough<LinearPolarizer> {
   bool polarizing = true;
 
   static constexpr bool polarizes = true;
+  static constexpr bool needs_tangent() { return true; }
 
   template <class R>
-  typename R::Scattering transmit(const Hit& hit, const Vec3& light) const {
+  typename R::Scattering transmit(const SurfacePoint& point, const Vec3& light) const {
     if constexpr (R::polarized) {
       if (!polarizing) return R::plain(0.5f * transmittance);
       // A tilted sheet blocks the field along its projected absorption axis (Korger et al. 2013).
-      const Vec3 absorbing = axis_in_sheet(hit, pi / 2 - theta);
+      const Vec3 absorbing = axis_in_sheet(point, pi / 2 - theta);
       const auto across = MuellerFrame::toward(light, absorbing);
       return malus::linear_polarizer(transmittance, MuellerFrame(-across.y(), across.x()));
     } else {
@@ -64,15 +68,16 @@ struct LinearRetarder : StraightThrough<LinearRetarder> {
   Rgb transmittance{1.0f};
 
   static constexpr bool polarizes = true;
+  static constexpr bool needs_tangent() { return true; }
 
   template <class R>
-  typename R::Scattering transmit(const Hit& hit, const Vec3& light) const {
+  typename R::Scattering transmit(const SurfacePoint& point, const Vec3& light) const {
     if constexpr (R::polarized) {
       // Off the normal the retardance falls with the cosine, as Mitsuba has it; the fast axis is
       // projected, so that nothing jumps.
-      const float phase = delta * std::abs(glm::dot(hit.normal, light));
+      const float phase = delta * std::abs(glm::dot(point.normal, light));
       return malus::linear_retarder(transmittance, Rgb(phase),
-                                    MuellerFrame::toward(light, axis_in_sheet(hit, theta)));
+                                    MuellerFrame::toward(light, axis_in_sheet(point, theta)));
     } else {
       return transmittance;
     }
@@ -86,7 +91,7 @@ struct CircularPolarizer : StraightThrough<CircularPolarizer> {
   static constexpr bool polarizes = true;
 
   template <class R>
-  typename R::Scattering transmit(const Hit&, const Vec3& light) const {
+  typename R::Scattering transmit(const SurfacePoint&, const Vec3& light) const {
     if constexpr (R::polarized)
       return malus::circular_polarizer(transmittance, hand, MuellerFrame::about(light));
     else
@@ -99,7 +104,7 @@ struct NullSurface : StraightThrough<NullSurface> {
   static constexpr bool polarizes = false;
 
   template <class R>
-  typename R::Scattering transmit(const Hit&, const Vec3&) const {
+  typename R::Scattering transmit(const SurfacePoint&, const Vec3&) const {
     return R::plain(Rgb(1.0f));
   }
 };

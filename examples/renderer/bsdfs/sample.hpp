@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What every BSDF agrees on. Directions point away from the surface, in world space: `incident` to
-// where light comes from, `exitant` to where it goes. Light therefore propagates along −incident,
-// then along exitant.
+// where light comes from, `exitant` to where it goes, whichever way a path is traced. Light
+// therefore propagates along −incident, then along exitant, and the Mueller matrix of a pair of
+// directions is one and the same for paths from the camera and from the light; only the drawing of
+// directions knows which of the two is given.
 #pragma once
 
 #include <malus/malus.hpp>
@@ -11,14 +13,35 @@
 
 namespace renderer {
 
-/// A sampled incident direction. weight = m00 |cos|/pdf, the share of unpolarised light that it
-/// brings; of delta distributions, pdf is the probability of the choice.
+/// A path from the camera knows where light goes to and draws where it comes from; a path from the
+/// light the reverse.
+enum class Tracing { from_camera, from_light };
+
+/// What sampling, roulette and MIS weights need of a pair of directions.
+struct BsdfValue {
+  Rgb m00{0.0f};           ///< the BSDF for unpolarised light, without the cosine
+  float pdf_incident = 0;  ///< by solid angle, of drawing `incident` from the camera
+  float pdf_exitant = 0;   ///< by solid angle, of drawing `exitant` from the light
+  Rgb lobe{0.0f};          ///< what the BSDF's own scattering() can use again
+};
+
+/// A drawn direction. From the camera, weight = m00 |cos|/pdf is the share of unpolarised light
+/// that it brings; from the light, the share of power that it carries on.
 struct BsdfSample {
-  Vec3 incident{};
+  Vec3 direction{};
   Rgb weight{0.0f};
-  float pdf = 0;
-  float eta = 1;  ///< index on the incident side over that on the exitant side
+  float pdf = 0;          ///< by solid angle; of delta distributions, the chance of the choice
+  float reverse_pdf = 0;  ///< of drawing the known direction by the other tracing, from this one
+  float eta = 1;          ///< index on the drawn direction's side over that on the known one's
   bool is_delta = false;
+};
+
+/// The two directions of a scattering, one known and one drawn, as light has them.
+struct Flow {
+  Vec3 incident, exitant;
+  Flow(const Vec3& known, const Vec3& drawn, Tracing tracing)
+      : incident(tracing == Tracing::from_camera ? drawn : known),
+        exitant(tracing == Tracing::from_camera ? known : drawn) {}
 };
 
 using MuellerFrame = malus::Frame<float>;

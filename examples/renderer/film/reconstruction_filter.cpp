@@ -21,6 +21,7 @@ ReconstructionFilter::ReconstructionFilter(Kind kind, float width) : kind_(kind)
     const double x = radius * (2 * (static_cast<double>(i) + 0.5) / fine - 1);
     cumulative[i + 1] = cumulative[i] + density(x);
   }
+  scale_ = static_cast<float>(fine / (2 * radius * cumulative[fine]));
   for (std::size_t i = 0; i <= steps; ++i) {
     const double target = cumulative[fine] * static_cast<double>(i) / steps;
     const auto found = std::lower_bound(cumulative.begin(), cumulative.end(), target);
@@ -42,6 +43,19 @@ float ReconstructionFilter::sample_1d(float u) const {
       const auto i = std::min(static_cast<std::size_t>(x), steps - 1);
       const float f = x - static_cast<float>(i);
       return inverse_[i] + f * (inverse_[i + 1] - inverse_[i]);
+    }
+  }
+}
+
+float ReconstructionFilter::density_1d(float x) const {
+  switch (kind_) {
+    case Kind::box:
+      return x >= -width_ && x < width_ ? 1 / (2 * width_) : 0.0f;
+    case Kind::tent:
+      return std::max(0.0f, 1 - std::abs(x) / width_) / width_;
+    default: {
+      const float z = x / width_;
+      return scale_ * std::max(0.0f, std::exp(-0.5f * z * z) - std::exp(-8.0f));
     }
   }
 }

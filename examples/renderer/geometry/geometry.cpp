@@ -66,8 +66,31 @@ void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
   if (sphere_distance(s, ray) >= 0) ray.tfar = -infinity;
 }
 
-RTCRay to_embree(const Ray& ray) {
-  RTCRay r{};
+/// A hit's position in the sphere's own axes, from its centre.
+Vec3 local_to(const Sphere& s, const Hit& hit) {
+  return glm::transpose(s.rotation) * (hit.position - s.center);
+}
+
+float largest_coordinate(const Vec3& p) {
+  const Vec3 a = glm::abs(p);
+  return std::max(a.x, std::max(a.y, a.z));
+}
+
+/// A hit is known to some 10 ulp of the shape's coordinates; this is 20 times as far.
+float reach_of(float largest) { return 2e-5f * largest; }
+
+/// In double precision, in which no triangle is too small.
+std::vector<Vec3> face_normals(const TriangleMesh& mesh) {
+  std::vector<Vec3> normals;
+  normals.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const glm::dvec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+    normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+  }
+  return normals;
+}
+
+void to_embree(const Ray& ray, RTCRay& r) {
   r.org_x = ray.origin.x;
   r.org_y = ray.origin.y;
   r.org_z = ray.origin.z;
@@ -76,8 +99,9 @@ RTCRay to_embree(const Ray& ray) {
   r.dir_z = ray.direction.z;
   r.tnear = 0;
   r.tfar = ray.length;
+  r.time = 0;
   r.mask = 0xffffffffu;
-  return r;
+  r.id = r.flags = 0;
 }
 
 }  // namespace
@@ -86,6 +110,8 @@ struct Geometry::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<std::unique_ptr<std::variant<TriangleMesh, Sphere>>> shapes;
+  std::vector<std::vector<Vec3>> face_normals;  // by shape
+  std::vector<float> reach;                     // by shape: Hit's
 
   Embree() {
     device = rtcNewDevice(nullptr);
@@ -115,6 +141,10 @@ Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 std::uint32_t Geometry::add(TriangleMesh mesh) {
+  embree_->face_normals.push_back(face_normals(mesh));
+  float largest = 0;
+  for (const Vec3& p : mesh.positions) largest = std::max(largest, largest_coordinate(p));
+  embree_->reach.push_back(reach_of(largest));
   auto& stored = std::get<TriangleMesh>(*embree_->shapes.emplace_back(
       std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -133,6 +163,8 @@ std::uint32_t Geometry::add(TriangleMesh mesh) {
 }
 
 std::uint32_t Geometry::add(const Sphere& sphere) {
+  embree_->face_normals.emplace_back();
+  embree_->reach.push_back(reach_of(largest_coordinate(sphere.center) + sphere.radius));
   auto& stored = std::get<Sphere>(
       *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(sphere)));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_USER);
@@ -157,8 +189,8 @@ void Geometry::commit() {
 }
 
 bool Geometry::intersect(const Ray& ray, Hit& hit) const {
-  RTCRayHit query{};
-  query.ray = to_embree(ray);
+  RTCRayHit query;
+  to_embree(ray, query.ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if MALUS_EMBREE_MAJOR >= 4
@@ -173,9 +205,10 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   hit.distance = query.ray.tfar;
   hit.shape = query.hit.geomID;
   hit.primitive = query.hit.primID;
+  hit.reach = embree_->reach[hit.shape];
   const auto& shape = *embree_->shapes[hit.shape];
   if (const auto* s = std::get_if<Sphere>(&shape)) {
-    const Vec3 outward = glm::normalize(ray.origin + hit.distance * ray.direction - s->center);
+    const Vec3 outward = normalized(ray.origin + hit.distance * ray.direction - s->center);
     hit.position = s->center + s->radius * outward;
     hit.normal = hit.geometric_normal = s->flipped ? -outward : outward;
     hit.parameter = {};
@@ -187,7 +220,7 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   hit.parameter = {u, v};
   const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
   hit.position = w * a + u * b + v * c;
-  hit.geometric_normal = glm::normalize(glm::cross(b - a, c - a));
+  hit.geometric_normal = embree_->face_normals[hit.shape][hit.primitive];
   hit.normal = hit.geometric_normal;
   if (!mesh.normals.empty()) {
     const Vec3 n = w * mesh.normals[t[0]] + u * mesh.normals[t[1]] + v * mesh.normals[t[2]];
@@ -201,7 +234,8 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
 }
 
 bool Geometry::occluded(const Ray& ray) const {
-  RTCRay query = to_embree(ray);
+  RTCRay query;
+  to_embree(ray, query);
 #if MALUS_EMBREE_MAJOR >= 4
   rtcOccluded1(embree_->scene, &query);
 #else
@@ -212,27 +246,54 @@ bool Geometry::occluded(const Ray& ray) const {
   return query.tfar < 0;
 }
 
-Vec3 Geometry::tangent(const Hit& hit) const {
-  Vec3 along(0);
+void Geometry::complete(const HitNeeds& needs, Hit& hit) const {
+  if (needs.uv) hit.uv = uv(hit);
+  if (needs.tangent) hit.tangent = tangent(hit);
+  if (needs.partials) {
+    const auto [du, dv] = partials(hit);
+    hit.dp_du = du;
+    hit.dp_dv = dv;
+  }
+}
+
+Vec2 Geometry::uv(const Hit& hit) const {
+  if (is_sphere(hit.shape)) {
+    const Vec3 p = local_to(sphere(hit.shape), hit);
+    const float longitude = std::atan2(p.y, p.x) / (2 * pi);
+    // Better than acos near the poles.
+    const float colatitude = std::atan2(std::hypot(p.x, p.y), p.z) / pi;
+    return {longitude < 0 ? longitude + 1 : longitude, colatitude};
+  }
+  const TriangleMesh& m = mesh(hit.shape);
+  if (m.texcoords.empty()) return hit.parameter;
+  const auto& t = m.triangles[hit.primitive];
+  const float u = hit.parameter.x, v = hit.parameter.y;
+  return (1 - u - v) * m.texcoords[t[0]] + u * m.texcoords[t[1]] + v * m.texcoords[t[2]];
+}
+
+std::array<Vec3, 2> Geometry::partials(const Hit& hit) const {
   if (is_sphere(hit.shape)) {
     const Sphere& s = sphere(hit.shape);
-    const Vec3 local = glm::transpose(s.rotation) * (hit.position - s.center);
-    along = s.rotation * Vec3(-local.y, local.x, 0);
-  } else {
-    const TriangleMesh& m = mesh(hit.shape);
-    const auto& t = m.triangles[hit.primitive];
-    if (!m.texcoords.empty()) {
-      const Vec3 e1 = m.positions[t[1]] - m.positions[t[0]],
-                 e2 = m.positions[t[2]] - m.positions[t[0]];
-      const Vec2 d1 = m.texcoords[t[1]] - m.texcoords[t[0]],
-                 d2 = m.texcoords[t[2]] - m.texcoords[t[0]];
-      const float determinant = d1.x * d2.y - d1.y * d2.x;
-      if (determinant != 0) along = (d2.y * e1 - d1.y * e2) / determinant;
-    }
+    const Vec3 p = local_to(s, hit);
+    const float r = std::hypot(p.x, p.y);
+    const Vec2 out = r > 0 ? Vec2(p.x, p.y) / r : Vec2(1, 0);
+    return {2 * pi * (s.rotation * Vec3(-p.y, p.x, 0)),
+            pi * (s.rotation * Vec3(p.z * out.x, p.z * out.y, -r))};
   }
-  along -= glm::dot(along, hit.normal) * hit.normal;
-  const float length2 = glm::dot(along, along);
-  return length2 > 0 ? along / std::sqrt(length2) : Basis(hit.normal).s;
+  const TriangleMesh& m = mesh(hit.shape);
+  const auto& t = m.triangles[hit.primitive];
+  const Vec3 e1 = m.positions[t[1]] - m.positions[t[0]], e2 = m.positions[t[2]] - m.positions[t[0]];
+  if (m.texcoords.empty()) return {e1, e2};
+  const Vec2 d1 = m.texcoords[t[1]] - m.texcoords[t[0]], d2 = m.texcoords[t[2]] - m.texcoords[t[0]];
+  const float determinant = d1.x * d2.y - d1.y * d2.x;
+  if (determinant == 0) return {};
+  return {(d2.y * e1 - d1.y * e2) / determinant, (d1.x * e2 - d2.x * e1) / determinant};
+}
+
+Vec3 Geometry::tangent(const Hit& hit) const {
+  Vec3 along(0);
+  if (is_sphere(hit.shape) || !mesh(hit.shape).texcoords.empty()) along = partials(hit)[0];
+  return tangent_along(along, hit.normal);
 }
 
 bool Geometry::is_sphere(std::uint32_t shape) const {
@@ -244,6 +305,10 @@ const Sphere& Geometry::sphere(std::uint32_t shape) const {
 const TriangleMesh& Geometry::mesh(std::uint32_t shape) const {
   return std::get<TriangleMesh>(*embree_->shapes[shape]);
 }
+const Vec3& Geometry::face_normal(std::uint32_t shape, std::size_t triangle) const {
+  return embree_->face_normals[shape][triangle];
+}
+float Geometry::reach(std::uint32_t shape) const { return embree_->reach[shape]; }
 std::size_t Geometry::shape_count() const { return embree_->shapes.size(); }
 std::size_t Geometry::triangle_count() const {
   std::size_t count = 0;

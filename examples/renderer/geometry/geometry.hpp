@@ -3,6 +3,7 @@
 // are, spheres as user geometry, which meets them exactly and faster than Embree's own points.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -35,12 +36,24 @@ class Geometry {
   bool intersect(const Ray& ray, Hit& hit) const;
   bool occluded(const Ray& ray) const;
 
-  /// ∂p/∂u at a hit, of unit length and perpendicular to the normal: the surface's own x axis.
+  /// Fills in what a material needs to know of a hit.
+  void complete(const HitNeeds& needs, Hit& hit) const;
+  /// The mesh's texture coordinates, or the barycentric ones of a mesh without; of a sphere,
+  /// longitude and colatitude as fractions of 360 and 180 degrees.
+  Vec2 uv(const Hit& hit) const;
+  /// ∂p/∂u and ∂p/∂v at a hit; 0 where a mesh's texture coordinates are the same all over.
+  std::array<Vec3, 2> partials(const Hit& hit) const;
+  /// ∂p/∂u at a hit, of unit length and perpendicular to the normal: the surface's own x axis. Any
+  /// such vector where a mesh has no texture coordinates.
   Vec3 tangent(const Hit& hit) const;
 
   bool is_sphere(std::uint32_t shape) const;
   const Sphere& sphere(std::uint32_t shape) const;
   const TriangleMesh& mesh(std::uint32_t shape) const;
+  /// Of a mesh's triangle, by its winding.
+  const Vec3& face_normal(std::uint32_t shape, std::size_t triangle) const;
+  /// Hit's, of a shape.
+  float reach(std::uint32_t shape) const;
   std::size_t shape_count() const;
   std::size_t triangle_count() const;
   /// A sphere around everything; of radius 0 if there is nothing.

@@ -9,20 +9,43 @@
 
 namespace renderer {
 
-/// Points origin + t direction, 0 < t < length. The direction is of unit length.
+/// Points origin + t direction, 0 < t < length. The direction is of unit length, but for rays that
+/// ask only whether something is in the way.
 struct Ray {
   Vec3 origin, direction;
   float length = infinity;
 };
 
-struct Hit {
+/// What a material asks to know of a hit beyond what every hit tells.
+struct HitNeeds {
+  bool uv = false;
+  bool tangent = false;
+  bool partials = false;  ///< dp_du and dp_dv
+
+  bool any() const { return uv || tangent || partials; }
+  HitNeeds operator|(const HitNeeds& b) const {
+    return {uv || b.uv, tangent || b.tangent, partials || b.partials};
+  }
+};
+
+/// A vector's part perpendicular to a unit normal, of unit length; any such vector if there is
+/// none.
+inline Vec3 tangent_along(const Vec3& v, const Vec3& normal) {
+  const Vec3 t = v - glm::dot(v, normal) * normal;
+  const float length2 = glm::dot(t, t);
+  return length2 > 0 ? t / std::sqrt(length2) : Basis(normal).s;
+}
+
+/// A point of a surface as one of its sides: what scatters there needs no more of it.
+struct SurfacePoint {
   Vec3 position;
   Vec3 geometric_normal;  ///< unit, on the side that the shape calls its front
   Vec3 normal;            ///< unit, interpolated where the mesh has normals: what BSDFs see
-  float distance = 0;
-  std::uint32_t shape = 0, primitive = 0;
-  Vec2 parameter{};  ///< barycentric coordinates of the primitive
-  Vec3 tangent{};  ///< unit ∂p/∂u, perpendicular to the normal; only where the material asks for it
+  float reach = 0;        ///< how far off the surface rays start, so as not to meet it again
+
+  // Only where the material asks for them: see HitNeeds.
+  Vec2 uv{};       ///< what textures are looked up by
+  Vec3 tangent{};  ///< unit ∂p/∂u, perpendicular to the normal
 
   /// The side of the surface that w points to, for both normals alike. Where they disagree, the
   /// interpolated normal claims light to pass through the surface, and there is none.
@@ -34,22 +57,34 @@ struct Hit {
     geometric_normal = -geometric_normal;
     normal = -normal;
   }
-  /// A ray that leaves towards w, from far enough off the surface not to meet it again.
+  /// A ray that leaves towards w.
   Ray leave(const Vec3& w) const { return {offset(w), w}; }
   /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it
-  /// starts: a parallel one would meet a sphere before a point on its limb.
+  /// starts: a parallel one would meet a sphere before a point on its limb. Its direction is not
+  /// of unit length.
   Ray leave_for(const Vec3& target, const Vec3& w) const {
-    const Vec3 origin = offset(w), way = target - origin;
-    const float far = glm::length(way);
-    return {origin, far > 0 ? way / far : w, far * (1 - 2e-4f)};
+    const Vec3 origin = offset(w);
+    return {origin, target - origin, 1 - 2e-4f};
+  }
+  /// The ray to another surface's point, between points off both: the same seen from either end.
+  /// Its direction is not of unit length.
+  Ray leave_for(const SurfacePoint& other, const Vec3& w) const {
+    const Vec3 origin = offset(w);
+    return {origin, other.offset(-w) - origin, 1};
   }
 
  private:
   Vec3 offset(const Vec3& w) const {
-    const Vec3 a = glm::abs(position);
-    const float reach = (1 + std::max(a.x, std::max(a.y, a.z))) * 1e-4f;
     return position + geometric_normal * std::copysign(reach, glm::dot(geometric_normal, w));
   }
+};
+
+/// Where a ray has met a shape.
+struct Hit : SurfacePoint {
+  float distance = 0;
+  std::uint32_t shape = 0, primitive = 0;
+  Vec2 parameter{};  ///< barycentric coordinates of the primitive
+  Vec3 dp_du{}, dp_dv{};  ///< ∂p/∂u and ∂p/∂v of the shape itself, where the material asks for them
 };
 
 }  // namespace renderer

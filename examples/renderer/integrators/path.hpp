@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <malus/radiometry.hpp>
 
-#include "../scene/scene.hpp"
-#include "counters.hpp"
+#include "visibility.hpp"
 
 namespace renderer {
 
@@ -17,15 +16,19 @@ namespace renderer {
 template <class R>
 class PathIntegrator {
  public:
-  explicit PathIntegrator(const Scene& scene) : scene_(scene) {}
+  explicit PathIntegrator(const Scene& scene) : scene_(scene), visibility_(scene, counters_) {}
 
   /// What the sensor reads of light that arrives along one camera ray.
   malus::Measurement<Rgb> measure(const Ray& ray, Sampler& sampler) {
+    ++counters_.samples;
     path_.begin();
     walk(ray, sampler);
-    return R::measure(path_.result(), scene_.sensor->frame(ray.direction));
+    const auto importance = R::importance(Rgb(1.0f), scene_.sensor->frame(ray.direction));
+    return R::measure(importance, path_.result());
   }
 
+  /// The last reading was not finite, and is not used.
+  void drop() { ++counters_.non_finite; }
   const Counters& counters() const { return counters_; }
 
  private:
@@ -44,19 +47,27 @@ class PathIntegrator {
     for (int depth = 0;;) {
       Hit hit;
       ++counters_.rays;
-      if (!scene_.intersect(ray, hit)) return deposit_environment(last, depth);
+      if (!scene_.intersect(ray, hit)) return deposit_environment(ray.direction, last, depth);
       const Vec3 exitant = -ray.direction;
       deposit_emission(hit, exitant, last, depth);
 
+      const bool passes = scene_.lets_pass(hit, sampler);
       const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, exitant);
-      const bool counts = scene_.integrator.sheets_count || !bsdf.is_sheet();
+      const bool is_passage = passes || bsdf.is_sheet();
+      const bool counts = scene_.integrator.sheets_count || !is_passage;
       if (counts && depth + 1 == max_depth) return;
+      if (is_passage) {
+        if (!passes) scatter(bsdf.template transmit<R>(hit, exitant), 1);
+        if (counts) ++depth;
+        ray = hit.leave(ray.direction);
+        continue;
+      }
       if (!hit.sides_agree(exitant)) return;
       if (!bsdf.is_delta()) deposit_direct_light(hit, exitant, bsdf, depth, sampler);
 
       BsdfSample sample;
-      if (!bsdf.sample(hit, exitant, sampler, sample)) return;
-      if (!hit.sides_agree(sample.incident)) return;
+      if (!bsdf.sample(hit, exitant, Tracing::from_camera, sampler, sample)) return;
+      if (!hit.sides_agree(sample.direction)) return;
       eta *= sample.eta;
       float survival = 1;
       if (depth + 1 >= scene_.integrator.rr_depth) {
@@ -64,10 +75,10 @@ class PathIntegrator {
             std::min(malus::max_channel(path_.throughput() * sample.weight) * eta * eta, 0.95f);
         if (!(sampler.next_1d() < survival)) return;
       }
-      scatter(bsdf.template weight<R>(hit, exitant, sample), survival);
-      if (!bsdf.is_sheet()) last = {hit.position, sample.pdf, sample.is_delta};
-      if (counts) ++depth;
-      ray = hit.leave(sample.incident);
+      scatter(bsdf.template weight<R>(hit, exitant, Tracing::from_camera, sample), survival);
+      last = {hit.position, sample.pdf, sample.is_delta};
+      ++depth;
+      ray = hit.leave(sample.direction);
     }
   }
 
@@ -85,10 +96,10 @@ class PathIntegrator {
     return last.is_delta ? 1.0f : last.pdf / (last.pdf + light_pdf);
   }
 
-  void deposit_environment(const LastVertex& last, int depth) {
+  void deposit_environment(const Vec3& direction, const LastVertex& last, int depth) {
     if (scene_.environment < 0 || (depth == 0 && scene_.integrator.hide_emitters)) return;
-    const float share = bsdf_share(last, scene_.environment_pdf());
-    path_.deposit(R::unpolarized(scene_.environment_radiance() * share));
+    const float share = bsdf_share(last, scene_.environment_pdf(direction));
+    path_.deposit(R::unpolarized(scene_.environment_radiance(direction) * share));
   }
 
   void deposit_emission(const Hit& hit, const Vec3& exitant, const LastVertex& last, int depth) {
@@ -106,48 +117,31 @@ class PathIntegrator {
     LightSample light;
     if (!scene_.sample_light(hit.position, sampler, light)) return;
     if (!hit.sides_agree(light.direction)) return;
-    if (malus::max_channel(bsdf.m00(hit, light.direction, exitant)) <= 0) return;
-    typename R::Light arriving;
-    if (!transmit(hit, light, depth, arriving)) return;
+    const BsdfValue value = bsdf.value(hit, light.direction, exitant);
+    if (malus::max_channel(value.m00) <= 0) return;
+    if (!visibility_.open(hit.leave_for(light.position, light.direction), light.position,
+                          sheets_left(depth)))
+      return;
 
-    const float bsdf_pdf = light.is_delta ? 0.0f : bsdf.pdf(hit, light.direction, exitant);
-    const float share = light.pdf / (light.pdf + bsdf_pdf);
+    // The balance heuristic's share over the light's density.
+    const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : value.pdf_incident));
     const float cosine = std::abs(glm::dot(hit.normal, light.direction));
-    const auto f = bsdf.template evaluate<R>(hit, light.direction, exitant);
-    path_.deposit(R::scatter(f, arriving) * (cosine * share / light.pdf));
+    const auto f = bsdf.template scattering<R>(hit, light.direction, exitant, value);
+    const auto arriving = visibility_.through(R::unpolarized(light.radiance));
+    path_.deposit(R::scatter(f, arriving) * (cosine * share));
   }
 
-  /// The light that arrives at a hit from a light's sample, unless something is in between. Sheets
-  /// let it pass and act on it in the light's order: the one nearest to the light first, though a
-  /// shadow ray meets it last.
-  bool transmit(const Hit& from, const LightSample& light, int depth, typename R::Light& arriving) {
-    const Vec3 light_goes = -light.direction;
-    Ray ray = from.leave_for(light.position, light.direction);
-    if (!scene_.has_sheets) {
-      ++counters_.shadow_rays;
-      arriving = R::unpolarized(light.radiance);
-      return !scene_.geometry.occluded(ray);
-    }
-    shadow_.begin();
-    for (int vertices = depth + 2;; vertices += scene_.integrator.sheets_count ? 1 : 0) {
-      // As many vertices as a path that finds the light by itself would have.
-      if (scene_.integrator.max_depth >= 0 && vertices > scene_.integrator.max_depth) return false;
-      Hit hit;
-      ++counters_.shadow_rays;
-      if (!scene_.intersect(ray, hit)) break;
-      const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, light_goes);
-      if (!bsdf.is_sheet()) return false;
-      shadow_.scatter(bsdf.template transmit<R>(hit, light_goes));
-      ray = hit.leave_for(light.position, light.direction);
-    }
-    shadow_.deposit(R::unpolarized(light.radiance));
-    arriving = shadow_.result();
-    return true;
+  /// As many sheets as a path that finds the light by itself would be allowed.
+  int sheets_left(int depth) const {
+    const IntegratorSettings& s = scene_.integrator;
+    if (s.max_depth < 0 || !s.sheets_count) return std::numeric_limits<int>::max();
+    return s.max_depth - (depth + 2);
   }
 
   const Scene& scene_;
-  typename R::CameraPath path_, shadow_;
+  typename R::CameraPath path_;
   Counters counters_;
+  Visibility<R> visibility_;
 };
 
 }  // namespace renderer

@@ -15,6 +15,7 @@
 #include "../io/atomic_file.hpp"
 #include "../io/exr.hpp"
 #include "../scene/build.hpp"
+#include "../scene/requirements.hpp"
 #include "../scene/xml_reader.hpp"
 #include "progress_bar.hpp"
 #include "statistics.hpp"
@@ -36,6 +37,7 @@ struct Arguments {
   std::string scene, output, integrator, mode = "auto", stokes_frame = "horizontal", stats;
   std::string sampler = "independent";
   std::vector<std::string> definitions;
+  std::vector<int> strategy;
   std::optional<std::uint64_t> samples, seed;
   double seconds = 0;
   int threads = 0;
@@ -47,8 +49,18 @@ void add_options(CLI::App& app, Arguments& a) {
                                         std::to_string(MALUS_VERSION_PATCH));
   app.add_option("scene", a.scene, "Scene in Mitsuba 3 XML")->required();
   app.add_option("-o,--output", a.output, "OpenEXR file to write")->required();
-  app.add_option("--integrator", a.integrator, "path (default: the scene's)")
-      ->check(CLI::IsMember({"path", "volpath"}));
+  app.add_option(
+         "--integrator", a.integrator,
+         "Path tracing, light tracing, bidirectional path tracing, progressive or "
+         "bidirectional photon mapping, vertex connection and merging (default: the scene's)")
+      ->check(CLI::IsMember({"path", "volpath", "ptracer", "bdpt", "ppm", "bpm", "vcm"}));
+  app.add_option("--strategy", a.strategy,
+                 "Of bdpt, one strategy alone and unweighted: S vertices from the light, T from "
+                 "the camera")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(0, 1 << 20))
+      ->type_name("S,T");
   app.add_option("--mode", a.mode,
                  "auto: follow polarisation if something in the scene polarises; or always "
                  "(optimized) or never (unpolarized)")
@@ -128,7 +140,9 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
       throw InputError("--stats " + a.stats + ": the picture is to be written there");
   }
   Scene scene = build_scene(*read_scene(a.scene, definitions));
-  if (!a.integrator.empty()) scene.integrator.sheets_count = a.integrator == "path";
+  if (!a.integrator.empty()) set_integrator(scene.integrator, a.integrator);
+  if (!a.strategy.empty()) scene.integrator.strategy = Strategy{a.strategy[0], a.strategy[1]};
+  check_requirements(scene, a.scene);
   for (const std::string& warning : scene.warnings) err << "warning: " << warning << '\n';
 
   RenderOptions options;

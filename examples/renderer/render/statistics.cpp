@@ -58,7 +58,13 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   if (options.mode == Mode::optimized)
     for (std::size_t i = 0; i < c.forms.size(); ++i) forms[form_names[i]] = c.forms[i];
   json["mueller_forms"] = forms;
-  json["bytes_per_light_vertex"] = 0;  // path tracing stores none
+  // Path and light tracing store none.
+  const LightVertexMemory& memory = rendering.light_vertices;
+  json["light_vertices"] = c.light_vertices;
+  json["bytes_per_light_vertex"] = memory.bytes_per_vertex;
+  json["bytes_per_photon"] = memory.bytes_per_photon;
+  json["light_vertex_memory"] = memory.peak;
+  json["merges"] = c.merges;
   json["shapes"] = scene.geometry.shape_count();
   json["triangles"] = scene.geometry.triangle_count();
   json["stokes_frame"] = frame == StokesFrame::up ? "up" : "horizontal";

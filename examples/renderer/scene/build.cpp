@@ -11,22 +11,17 @@ void fail_unknown_plugin(const Object& object, std::initializer_list<std::string
 
 namespace {
 
-bool needs_tangent(const Bsdf* bsdf) {
-  return bsdf && (std::holds_alternative<LinearPolarizer>(bsdf->kind()) ||
-                  std::holds_alternative<LinearRetarder>(bsdf->kind()));
-}
-
 void build_shape(const Object& object, MaterialFactory& materials, Scene& scene) {
   const std::uint32_t number = add_shape_geometry(object, scene.geometry, scene.warnings);
   Shape shape;
   const auto emitter = object.only_child("emitter");
   shape.material = materials.make(object.only_child("bsdf"), emitter != nullptr);
-  shape.needs_tangent = needs_tangent(shape.material.front) || needs_tangent(shape.material.back);
   for (const Bsdf* bsdf : {shape.material.front, shape.material.back}) {
     if (!bsdf) continue;
     scene.has_sheets |= bsdf->is_sheet();
     scene.polarizes |= bsdf->polarizes();
   }
+  scene.has_masks |= shape.material.is_masked();
   if (emitter) {
     shape.light = static_cast<int>(scene.lights.size());
     scene.lights.push_back(make_area_light(*emitter, scene.geometry, number));
@@ -37,7 +32,7 @@ void build_shape(const Object& object, MaterialFactory& materials, Scene& scene)
 
 void build_lights(const Object& root, Scene& scene) {
   for (const auto& emitter : root.children("emitter")) {
-    if (emitter->type() == "constant") {
+    if (emitter->type() == "constant" || emitter->type() == "envmap") {
       if (scene.environment >= 0) emitter->fail("a scene has one environment at most");
       scene.environment = static_cast<int>(scene.lights.size());
     }
@@ -49,8 +44,9 @@ void build_lights(const Object& root, Scene& scene) {
 
 Scene build_scene(const Object& root) {
   Scene scene;
-  MaterialFactory materials(scene.bsdfs);
-  // BSDFs that nothing refers to are checked all the same.
+  MaterialFactory materials(scene);
+  // What nothing refers to is checked all the same.
+  for (const auto& texture : root.children("texture")) materials.textures().make(texture);
   for (const auto& bsdf : root.children("bsdf")) materials.make(bsdf, false);
   for (const auto& shape : root.children("shape")) build_shape(*shape, materials, scene);
   build_lights(root, scene);

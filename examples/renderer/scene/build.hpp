@@ -6,6 +6,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "build_texture.hpp"
 #include "object.hpp"
 #include "scene.hpp"
 
@@ -16,18 +17,29 @@ Scene build_scene(const Object& root);
 
 // the factories
 
+/// The kind of a <bsdf> that is one; "twosided" and the like are of the material.
+Bsdf::Kind make_bsdf_kind(const Object& bsdf, TextureFactory& textures);
+
 class MaterialFactory {
  public:
-  explicit MaterialFactory(std::deque<Bsdf>& bsdfs) : bsdfs_(bsdfs) {}
+  explicit MaterialFactory(Scene& scene) : scene_(scene), textures_(scene.textures) {}
   /// The material of a <bsdf>; one for each object, however often it is referred to. Null: the
   /// default, diffuse of ½, or of 0 where the shape emits.
   Material make(const Object::Pointer& object, bool emits);
 
- private:
-  const Bsdf* make_bsdf(const Object::Pointer& object);
-  Material make_two_sided(const Object& object);
+  TextureFactory& textures() { return textures_; }
 
-  std::deque<Bsdf>& bsdfs_;
+ private:
+  Material make_anew(const Object& object);
+  Material make_two_sided(const Object& object);
+  Material make_masked(const Object& object);
+  Material make_perturbed(const Object& object);
+  /// The material of the one <bsdf> in a wrapper such as "mask".
+  Material make_inner(const Object& object);
+  Perturbation make_perturbation(const Object& object);
+
+  Scene& scene_;
+  TextureFactory textures_;
   std::unordered_map<const Object*, Material> made_;
   const Bsdf* default_ = nullptr;
   const Bsdf* default_of_emitters_ = nullptr;
@@ -44,6 +56,9 @@ Emitter make_light(const Object& emitter);
 
 void build_sensor(const Object& sensor, Scene& scene);
 void build_integrator(const Object& integrator, Scene& scene);
+
+/// By its name in a scene file or on the command line; the other settings stay.
+void set_integrator(IntegratorSettings& settings, const std::string& name);
 
 /// "x" is not a bsdf that is known here; known are a, b, c.
 [[noreturn]] void fail_unknown_plugin(const Object& object,

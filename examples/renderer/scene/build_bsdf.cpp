@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "build.hpp"
+#include "conductor_data.hpp"
 
 namespace renderer {
 
@@ -42,26 +43,85 @@ double index_of_refraction(const Object& o, std::string_view name, std::string_v
   o.fail(name, "unknown material \"" + material + "\"; give a number or one of " + list);
 }
 
-Bsdf::Kind make_diffuse(const Object& o) { return Diffuse{reflectance(o, "reflectance", 0.5)}; }
-
-Bsdf::Kind make_conductor(const Object& o) {
-  Conductor c;
-  if (o.string("material", "none") != "none")
-    o.fail("material", "conductors are given by eta and k; the one name known is \"none\"");
-  c.eta = to_rgb(o.color_in("eta", glm::dvec3(0), 0, 1e4));
-  c.k = to_rgb(o.color_in("k", glm::dvec3(1), 0, 1e4));
-  c.specular_reflectance = reflectance(o, "specular_reflectance");
-  for (std::size_t i = 0; i < 3; ++i)
-    if (c.eta[i] == 0 && c.k[i] == 0) o.fail("k", "eta and k are both 0 in a channel");
-  return c;
+Bsdf::Kind make_diffuse(const Object& o, TextureFactory& textures) {
+  return Diffuse{textures.color(o, "reflectance", 0.5)};
 }
 
-Bsdf::Kind make_dielectric(const Object& o) {
+/// eta and k, or a material's name; of nothing, an ideal mirror.
+ConductorIndex conductor_index(const Object& o) {
+  const std::string name = o.string("material", "none");
+  const bool given = o.has("eta") || o.has("k");
+  ConductorIndex index{to_rgb(o.color_in("eta", glm::dvec3(0), 0, 1e4)),
+                       to_rgb(o.color_in("k", glm::dvec3(1), 0, 1e4))};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (index.eta[i] == 0 && index.k[i] == 0) o.fail("k", "eta and k are both 0 in a channel");
+  if (name == "none") return index;
+  if (given)
+    o.fail("material", "a conductor is given by its material or by eta and k, not by both");
+  const auto known = conductor_by_name(name);
+  if (!known)
+    o.fail("material", "unknown material \"" + name + "\"; allowed: none, " + conductor_names());
+  return *known;
+}
+
+Bsdf::Kind make_conductor(const Object& o, TextureFactory& textures) {
+  const ConductorIndex index = conductor_index(o);
+  return Conductor{index.eta, index.k, textures.color(o, "specular_reflectance", 1)};
+}
+
+float relative_index(const Object& o, std::string_view inner) {
+  return static_cast<float>(index_of_refraction(o, "int_ior", inner) /
+                            index_of_refraction(o, "ext_ior", "air"));
+}
+
+/// All draws are of visible facets, whatever sample_visible says: it changes the noise alone.
+Facets facets_of(const Object& o) {
+  constexpr double smoothest = 1e-4, roughest = 10;
+  const bool ggx = o.one_of("distribution", "beckmann", {"beckmann", "ggx"}) == "ggx";
+  o.boolean("sample_visible", true);
+  const bool along_x = o.has("alpha_u"), along_y = o.has("alpha_v");
+  if (along_x != along_y)
+    o.fail(along_x ? "alpha_u" : "alpha_v", "alpha_u and alpha_v are given both or neither");
+  if (along_x && o.has("alpha"))
+    o.fail("alpha", "the roughness is given by alpha or by alpha_u and alpha_v, not by both");
+  const double alpha = o.number_in("alpha", 0.1, smoothest, roughest);
+  const double u = o.number_in("alpha_u", alpha, smoothest, roughest);
+  const double v = o.number_in("alpha_v", alpha, smoothest, roughest);
+  return {ggx ? malus::MicrofacetShape::ggx : malus::MicrofacetShape::beckmann,
+          static_cast<float>(u), static_cast<float>(v)};
+}
+
+Bsdf::Kind make_rough_conductor(const Object& o, TextureFactory& textures) {
+  const ConductorIndex index = conductor_index(o);
+  return RoughConductor{facets_of(o), index.eta, index.k,
+                        textures.color(o, "specular_reflectance", 1)};
+}
+
+Bsdf::Kind make_rough_dielectric(const Object& o, TextureFactory& textures) {
+  const float eta = relative_index(o, "bk7");
+  if (eta == 1) o.fail("int_ior", "int_ior and ext_ior are equal: there is no interface");
+  return RoughDielectric{facets_of(o), eta, textures.color(o, "specular_reflectance", 1),
+                         textures.color(o, "specular_transmittance", 1)};
+}
+
+Bsdf::Kind make_plastic(const Object& o, TextureFactory& textures) {
+  Plastic plastic(relative_index(o, "polypropylene"), o.boolean("nonlinear", false));
+  plastic.diffuse_reflectance = textures.color(o, "diffuse_reflectance", 0.5);
+  plastic.specular_reflectance = textures.color(o, "specular_reflectance", 1);
+  return plastic;
+}
+
+Bsdf::Kind make_polarized_plastic(const Object& o, TextureFactory& textures) {
+  return PolarizedPlastic{facets_of(o), relative_index(o, "polypropylene"),
+                          textures.color(o, "diffuse_reflectance", 0.5),
+                          textures.color(o, "specular_reflectance", 1)};
+}
+
+Bsdf::Kind make_dielectric(const Object& o, TextureFactory& textures) {
   Dielectric d;
-  d.eta = static_cast<float>(index_of_refraction(o, "int_ior", "bk7") /
-                             index_of_refraction(o, "ext_ior", "air"));
-  d.specular_reflectance = reflectance(o, "specular_reflectance");
-  d.specular_transmittance = reflectance(o, "specular_transmittance");
+  d.eta = relative_index(o, "bk7");
+  d.specular_reflectance = textures.color(o, "specular_reflectance", 1);
+  d.specular_transmittance = textures.color(o, "specular_transmittance", 1);
   return d;
 }
 
@@ -88,54 +148,23 @@ Bsdf::Kind make_circular(const Object& o) {
   return c;
 }
 
-Bsdf::Kind make_kind(const Object& o) {
-  if (o.type() == "diffuse") return make_diffuse(o);
-  if (o.type() == "conductor") return make_conductor(o);
-  if (o.type() == "dielectric") return make_dielectric(o);
+}  // namespace
+
+Bsdf::Kind make_bsdf_kind(const Object& o, TextureFactory& textures) {
+  if (o.type() == "diffuse") return make_diffuse(o, textures);
+  if (o.type() == "conductor") return make_conductor(o, textures);
+  if (o.type() == "dielectric") return make_dielectric(o, textures);
+  if (o.type() == "roughconductor") return make_rough_conductor(o, textures);
+  if (o.type() == "roughdielectric") return make_rough_dielectric(o, textures);
+  if (o.type() == "plastic") return make_plastic(o, textures);
+  if (o.type() == "pplastic") return make_polarized_plastic(o, textures);
   if (o.type() == "polarizer") return make_polarizer(o);
   if (o.type() == "retarder") return make_retarder(o);
   if (o.type() == "circular") return make_circular(o);
   if (o.type() == "null") return NullSurface{};
-  fail_unknown_plugin(o, {"circular", "conductor", "dielectric", "diffuse", "null", "polarizer",
-                          "retarder", "twosided"});
-}
-
-}  // namespace
-
-const Bsdf* MaterialFactory::make_bsdf(const Object::Pointer& object) {
-  bsdfs_.emplace_back(make_kind(*object));
-  object->reject_unknown();
-  return &bsdfs_.back();
-}
-
-Material MaterialFactory::make_two_sided(const Object& object) {
-  const auto sides = object.children("bsdf");
-  if (sides.empty() || sides.size() > 2)
-    object.fail("a twosided BSDF holds one or two <bsdf>, not " + std::to_string(sides.size()));
-  Material material;
-  for (const auto& side : sides) {
-    const Material inner = make(side, false);
-    if (side->type() == "twosided") side->fail("twosided BSDFs don't nest");
-    if (inner.front->is_sheet() || std::holds_alternative<Dielectric>(inner.front->kind()))
-      side->fail("a twosided BSDF holds BSDFs that reflect alone; \"" + side->type() +
-                 "\" transmits");
-    (material.front ? material.back : material.front) = inner.front;
-  }
-  if (!material.back) material.back = material.front;
-  object.reject_unknown();
-  return material;
-}
-
-Material MaterialFactory::make(const Object::Pointer& object, bool emits) {
-  if (!object) {
-    const Bsdf*& shared = emits ? default_of_emitters_ : default_;
-    if (!shared) shared = &bsdfs_.emplace_back(Diffuse{Rgb(emits ? 0.0f : 0.5f)});
-    return {shared, nullptr};
-  }
-  if (const auto found = made_.find(object.get()); found != made_.end()) return found->second;
-  const Material material =
-      object->type() == "twosided" ? make_two_sided(*object) : Material{make_bsdf(object), nullptr};
-  return made_[object.get()] = material;
+  fail_unknown_plugin(o, {"bumpmap", "circular", "conductor", "dielectric", "diffuse", "mask",
+                          "normalmap", "null", "plastic", "polarizer", "pplastic", "retarder",
+                          "roughconductor", "roughdielectric", "twosided"});
 }
 
 }  // namespace renderer

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "../image/finite.hpp"
+#include "../textures/read_texels.hpp"
 #include "build.hpp"
+#include "text.hpp"
 
 namespace renderer {
 
@@ -34,6 +37,39 @@ DirectionalLight make_directional(const Object& o) {
   return {Vec3(glm::normalize(d)), emission(o, "irradiance")};
 }
 
+/// A rotation, perhaps with a mirroring: what is left of a transform for directions. Throws where
+/// it would also shear or stretch them.
+glm::mat3 rotation_of(const Object& o) {
+  const glm::dmat3 m(o.transform("to_world"));
+  const double scale = glm::length(m[0]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (std::abs(glm::dot(m[i], m[j]) - (i == j ? scale * scale : 0)) > 1e-6 * scale * scale)
+        o.fail("to_world",
+               "the parameter \"to_world\" shears or stretches; an environment can only be turned "
+               "or mirrored");
+  return glm::mat3(m / scale);
+}
+
+EnvironmentLight make_environment_map(const Object& o) {
+  const auto path = o.file("filename");
+  const auto scale = static_cast<float>(o.number_in("scale", 1, 0, 1e30));
+  Texels texels = read_texels(path, false, o.location());
+  const auto fail = [&](const std::string& problem) {
+    o.fail("filename", "the file " + in_quotes(path.string()) + " " + problem);
+  };
+  if (texels.width < 2 || texels.height < 3)
+    fail("has " + std::to_string(texels.width) + " x " + std::to_string(texels.height) +
+         " pixels; allowed: 2 x 3 or more");
+  for (Rgb& c : texels.values) {
+    c *= scale;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(c[i] >= 0 && is_finite(c[i])))
+        fail("has the radiance " + shown(static_cast<double>(c[i])) + "; allowed: 0 or more");
+  }
+  return {EnvironmentMap(std::move(texels), rotation_of(o))};
+}
+
 }  // namespace
 
 AreaLight make_area_light(const Object& o, const Geometry& geometry, std::uint32_t shape) {
@@ -48,10 +84,12 @@ Emitter make_light(const Object& o) {
     if (o.type() == "point") return make_point(o);
     if (o.type() == "directional") return make_directional(o);
     if (o.type() == "constant") return ConstantLight{emission(o, "radiance")};
+    if (o.type() == "envmap") return make_environment_map(o);
     if (o.type() == "area") o.fail("an \"area\" emitter belongs into the <shape> that emits");
-    fail_unknown_plugin(o, {"constant", "directional", "point", "and \"area\" within a shape"});
+    fail_unknown_plugin(
+        o, {"constant", "directional", "envmap", "point", "and \"area\" within a shape"});
   };
-  const Emitter light = make();
+  Emitter light = make();
   o.reject_unknown();
   return light;
 }

@@ -151,24 +151,4 @@ void build_sensor(const Object& o, Scene& scene) {
   o.reject_unknown();
 }
 
-void build_integrator(const Object& o, Scene& scene) {
-  // Mitsuba's "stokes" wraps the integrator whose Stokes vectors are wanted; here they always are.
-  if (o.type() == "stokes") {
-    const auto inner = o.only_child("integrator");
-    if (!inner) o.fail("a \"stokes\" integrator holds the <integrator> to be used");
-    o.reject_unknown();
-    return build_integrator(*inner, scene);
-  }
-  if (o.type() != "path" && o.type() != "volpath")
-    fail_unknown_plugin(o, {"path", "volpath", "and \"stokes\" around them"});
-  IntegratorSettings& settings = scene.integrator;
-  settings.name = "path";
-  settings.sheets_count = o.type() == "path";
-  settings.max_depth = static_cast<int>(o.integer_in("max_depth", -1, -1, 1 << 20));
-  if (settings.max_depth == 0) o.fail("max_depth", "max_depth is -1 (no limit) or at least 1");
-  settings.rr_depth = static_cast<int>(o.integer_in("rr_depth", 5, 1, 1 << 20));
-  settings.hide_emitters = o.boolean("hide_emitters", false);
-  o.reject_unknown();
-}
-
 }  // namespace renderer

@@ -22,9 +22,19 @@ class Sensor {
     float near_clip = 1e-2f, far_clip = 1e4f;
   };
 
+  /// Where on the film a point is seen.
+  struct Projection {
+    Vec2 film;        ///< as ray() takes it; may be off the film
+    Vec3 direction;   ///< from the lens to the point
+    float distance;   ///< between them
+    float near, far;  ///< what is nearer to the lens, or farther from it, is not seen
+  };
+
   Sensor(Kind kind, const glm::dmat4& to_world, const Lens& lens)
       : kind_(kind),
         to_world_(to_world),
+        to_local_(glm::inverse(glm::dmat3(to_world))),
+        volume_(static_cast<float>(std::abs(1 / glm::determinant(glm::dmat3(to_world))))),
         origin_(to_world[3]),
         up_(glm::normalize(glm::dvec3(to_world[1]))),
         lens_(lens) {}
@@ -47,6 +57,29 @@ class Sensor {
             (lens_.far_clip - lens_.near_clip) * stretch};
   }
 
+  /// Where a point is seen; false if it is behind the lens, or if the sensor is a single ray, which
+  /// no point is on.
+  bool project(const Vec3& point, Projection& p) const {
+    if (kind_ == Kind::radiancemeter) return false;
+    const Vec3 way = point - origin_, local = to_local_ * way;
+    if (!(local.z > 0)) return false;
+    const Vec2 tangent = Vec2(local) / local.z;
+    p.film = 0.5f * (1.0f - tangent / lens_.half_extent) - lens_.principal_point;
+    p.distance = glm::length(way);
+    p.direction = way / p.distance;
+    const float stretch = glm::length(Vec3(tangent, 1));
+    p.near = lens_.near_clip * stretch;
+    p.far = lens_.far_clip * stretch;
+    return true;
+  }
+
+  /// The density by solid angle of rays, if there is one to each of so many parts of the film:
+  /// what a sensor's importance is, per part (Veach 1997, section 8.3.2).
+  float pdf(const Vec3& ray_direction, float parts) const {
+    const float z = (to_local_ * ray_direction).z;
+    return parts * volume_ / (4 * lens_.half_extent.x * lens_.half_extent.y * z * z * z);
+  }
+
   /// The frame of light that arrives along a camera ray: x is right and y up in the picture.
   malus::Frame<float> frame(const Vec3& ray_direction) const {
     const auto upright = malus::Frame<float>::toward(-ray_direction, up_);
@@ -56,6 +89,8 @@ class Sensor {
  private:
   Kind kind_;
   glm::mat4 to_world_;
+  glm::mat3 to_local_;
+  float volume_;  // that to_local_ gives a unit of the world's
   Vec3 origin_, up_;
   Lens lens_;
 };

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A diffuse base below a smooth dielectric coat: a mirror's reflection and, smooth, the light that
+// the base gives back, however often it is reflected between the two. Its front alone reflects.
+#pragma once
+
+#include "../core/warp.hpp"
+#include "../textures/texture.hpp"
+#include "plastic_base.hpp"
+
+namespace renderer {
+
+class Plastic {
+ public:
+  ColorTexture diffuse_reflectance{Rgb(0.5f)}, specular_reflectance{Rgb(1.0f)};
+
+  static constexpr bool is_delta = false;
+  static constexpr bool polarizes = true;
+
+  /// `eta`: inner over outer index. `nonlinear`: reflections within the coat are coloured by the
+  /// base each time; else the colour stays what the base's is.
+  explicit Plastic(float eta = 1.49f / 1.000277f, bool nonlinear = false)
+      : eta_(eta),
+        inverse_eta2_(1 / (eta * eta)),
+        internal_reflectance_(
+            static_cast<float>(diffuse_fresnel_reflectance(1.0 / static_cast<double>(eta)))),
+        nonlinear_(nonlinear) {}
+
+  bool sample(const SurfacePoint& point, const Vec3& known, Tracing, Sampler& sampler,
+              BsdfSample& result) const {
+    const float choice = sampler.next_1d();
+    const Vec2 u = sampler.next_2d();
+    const float c = glm::dot(point.normal, known);
+    if (c <= 0) return false;
+    const Rgb coat = specular_reflectance(point), base = diffuse_reflectance(point);
+    const float reflectance = 1 - transmission(c).mean();
+    const float share = coat_share(reflectance, coat, base);
+    if (choice < share) {
+      result.direction = glm::normalize(reflect_about(known, point.normal));
+      result.is_delta = true;
+      result.pdf = result.reverse_pdf = share;
+      result.weight = coat * (reflectance / share);
+      return true;
+    }
+    const Vec3 d = square_to_cosine_hemisphere(u);
+    if (d.z <= 0) return false;
+    const Basis basis(point.normal);
+    result.direction = glm::normalize(d.x * basis.s + d.y * basis.t + d.z * point.normal);
+    const float through = transmission(d.z).mean();
+    result.pdf = (1 - share) * d.z / pi;
+    result.reverse_pdf = (1 - coat_share(1 - through, coat, base)) * c / pi;
+    result.weight = within(base) * (inverse_eta2_ * (1 - reflectance) * through / (1 - share));
+    return result.pdf > 0;
+  }
+
+  /// Of the base: what the coat reflects is a mirror's.
+  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+    const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
+    if (cos_i <= 0 || cos_o <= 0) return {};
+    const Rgb coat = specular_reflectance(point), base = diffuse_reflectance(point);
+    const float in = transmission(cos_i).mean(), out = transmission(cos_o).mean();
+    const Rgb scale = within(base) * (inverse_eta2_ / pi);
+    return {scale * (in * out), (1 - coat_share(1 - out, coat, base)) * cos_i / pi,
+            (1 - coat_share(1 - in, coat, base)) * cos_o / pi, scale};
+  }
+
+  template <class R>
+  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
+                                    const Vec3& exitant, const BsdfValue& value) const {
+    if constexpr (R::polarized)
+      return base_matrix(point.normal, incident, exitant,
+                         transmission(glm::dot(point.normal, incident)),
+                         transmission(glm::dot(point.normal, exitant)), value.lobe);
+    else
+      return value.m00;
+  }
+
+  template <class R>
+  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                                const BsdfSample& sample) const {
+    if constexpr (R::polarized) {
+      const Flow flow(known, sample.direction, tracing);
+      if (sample.is_delta) {
+        const auto terms = malus::fresnel_dielectric(cosine(glm::dot(point.normal, known)), eta_);
+        const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);
+        return malus::fresnel_block<Rgb>(terms, frames.enter, frames.exit) *
+               (specular_reflectance(point) / sample.pdf);
+      }
+      const auto in = transmission(glm::dot(point.normal, flow.incident));
+      const auto out = transmission(glm::dot(point.normal, flow.exitant));
+      const float unpolarized = in.mean() * out.mean();
+      return base_matrix(point.normal, flow.incident, flow.exitant, in, out,
+                         unpolarized > 0 ? sample.weight / unpolarized : Rgb(0.0f));
+    } else {
+      return sample.weight;
+    }
+  }
+
+ private:
+  static float cosine(float c) { return std::min(c, 1.0f); }
+  malus::FresnelTerms<float> transmission(float c) const {
+    return malus::fresnel_transmission(cosine(c), eta_);
+  }
+  /// The base's reflectance, by way of any number of reflections at the coat's inside.
+  Rgb within(const Rgb& base) const {
+    return base / (Rgb(1.0f) - (nonlinear_ ? base : Rgb(1.0f)) * internal_reflectance_);
+  }
+
+  float eta_, inverse_eta2_;
+  float internal_reflectance_;
+  bool nonlinear_;
+};
+
+}  // namespace renderer

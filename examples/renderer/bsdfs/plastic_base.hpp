@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The diffuse base of plastics below its dielectric coat, as seen through it. Light is refracted
+// into the coat, loses all polarisation at the base, and is refracted out: T_out · D · T_in. The
+// light that leaves is polarised, along the plane of emission.
+#pragma once
+
+#include "sample.hpp"
+
+namespace renderer {
+
+/// ∫ F(cos) 2cos dcos, of light that comes diffuse from all directions to an interface of relative
+/// index eta; by the trapezium rule, to 1e-5.
+inline double diffuse_fresnel_reflectance(double eta) {
+  // From the denser side by n² (1 − F) being the same from both.
+  if (eta < 1) return 1 - eta * eta * (1 - diffuse_fresnel_reflectance(1 / eta));
+  constexpr int steps = 1024;
+  double sum = 0.5 * malus::fresnel_dielectric(1.0, eta).mean();
+  for (int i = 1; i < steps; ++i) {
+    const double cosine = static_cast<double>(i) / steps;
+    sum += malus::fresnel_dielectric(cosine, eta).mean() * cosine;
+  }
+  return 2 * sum / steps;
+}
+
+/// The share of draws that a plastic spends on its coat: the coat's part of what it reflects.
+inline float coat_share(float reflectance, const Rgb& coat, const Rgb& base) {
+  const float c = reflectance * malus::mean_channel(coat);
+  const float b = (1 - reflectance) * malus::mean_channel(base);
+  return c + b > 0 ? c / (c + b) : 0.0f;
+}
+
+/// The frame of light at a surface with x = s, perpendicular to the plane of incidence, of any
+/// length.
+inline MuellerFrame frame_of_incidence(const Vec3& normal, const Vec3& propagation) {
+  const Vec3 s = glm::cross(normal, propagation);
+  if (glm::dot(s, s) > std::numeric_limits<float>::epsilon())
+    return MuellerFrame::from_direction_and_x(propagation, s);
+  return MuellerFrame::about(propagation);
+}
+
+/// T_out · D · T_in, D = diag(base, 0, 0, 0): the outer product of the first column of T_out and
+/// the first row of T_in.
+inline auto base_matrix(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
+                        const malus::FresnelTerms<float>& in, const malus::FresnelTerms<float>& out,
+                        const Rgb& base) {
+  const float in_0 = in.mean(), in_1 = 0.5f * (in.s - in.p);
+  const float out_0 = out.mean(), out_1 = 0.5f * (out.s - out.p);
+  const Rgb none(0.0f);
+  return malus::BlockMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>::block(
+      {base * (out_0 * in_0), base * (out_0 * in_1), base * (out_1 * in_0), base * (out_1 * in_1)},
+      {none, none, none, none}, frame_of_incidence(normal, -incident),
+      frame_of_incidence(normal, exitant));
+}
+
+}  // namespace renderer

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Facets of a dielectric over a diffuse base (Baek et al. 2018, "Simultaneous acquisition of
+// polarimetric SVBRDF and normals"): the coat's reflection is rough, the light of the base goes
+// through the coat as if it were smooth, once in and once out. Its front alone reflects.
+#pragma once
+
+#include "../core/warp.hpp"
+#include "../textures/texture.hpp"
+#include "microfacet.hpp"
+#include "plastic_base.hpp"
+
+namespace renderer {
+
+struct PolarizedPlastic {
+  Facets facets{malus::MicrofacetShape::beckmann, 0.1f, 0.1f};
+  float eta = 1.49f / 1.000277f;  ///< inner over outer index
+  ColorTexture diffuse_reflectance{Rgb(0.5f)}, specular_reflectance{Rgb(1.0f)};
+
+  static constexpr bool is_delta = false;
+  static constexpr bool polarizes = true;
+  bool needs_tangent() const { return !facets.is_isotropic(); }
+
+  bool sample(const SurfacePoint& point, const Vec3& known, Tracing tracing, Sampler& sampler,
+              BsdfSample& result) const {
+    const float choice = sampler.next_1d();
+    const Vec2 u = sampler.next_2d();
+    const LocalSpace space = facets.space(point);
+    const Vec3 from = space.from_world(known);
+    if (from.z <= 0) return false;
+    const float share = coat_share(1 - transmission(from.z).mean(), specular_reflectance(point),
+                                   diffuse_reflectance(point));
+    const Vec3 to = choice < share ? reflect_about(from, facets.sample_visible(from, u.x, u.y))
+                                   : square_to_cosine_hemisphere(u);
+    if (to.z <= 0) return false;
+    result.direction = space.to_world(to);
+    const Flow flow(known, result.direction, tracing);
+    const BsdfValue v = value(point, flow.incident, flow.exitant);
+    const bool from_camera = tracing == Tracing::from_camera;
+    result.pdf = from_camera ? v.pdf_incident : v.pdf_exitant;
+    result.reverse_pdf = from_camera ? v.pdf_exitant : v.pdf_incident;
+    if (!(result.pdf > 0)) return false;
+    result.weight = v.m00 * (glm::dot(point.normal, result.direction) / result.pdf);
+    return true;
+  }
+
+  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+    const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
+    if (cos_i <= 0 || cos_o <= 0) return {};
+    const auto lobe = facets.reflection(point, incident, exitant);
+    const Rgb coat = specular_reflectance(point), base = diffuse_reflectance(point);
+    const float in = transmission(cos_i).mean(), out = transmission(cos_o).mean();
+    const float reflectance = malus::fresnel_dielectric(lobe.cosine, eta).mean();
+    const float share_i = coat_share(1 - out, coat, base), share_o = coat_share(1 - in, coat, base);
+    const Rgb scale = coat * lobe.value;
+    return {scale * reflectance + base * (in * out / pi),
+            share_i * lobe.pdf_i + (1 - share_i) * cos_i / pi,
+            share_o * lobe.pdf_o + (1 - share_o) * cos_o / pi, scale};
+  }
+
+  template <class R>
+  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
+                                    const Vec3& exitant, const BsdfValue& value) const {
+    if constexpr (R::polarized) {
+      const auto frames = facet_frames(incident, exitant);
+      const auto terms = malus::fresnel_dielectric(reflected_cosine(incident, exitant), eta);
+      return base_matrix(point.normal, incident, exitant,
+                         transmission(glm::dot(point.normal, incident)),
+                         transmission(glm::dot(point.normal, exitant)),
+                         diffuse_reflectance(point) * (1 / pi)) +
+             malus::fresnel_block<Rgb>(terms, frames.enter, frames.exit) * value.lobe;
+    } else {
+      return value.m00;
+    }
+  }
+
+  template <class R>
+  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                                const BsdfSample& sample) const {
+    if constexpr (R::polarized) {
+      const Flow flow(known, sample.direction, tracing);
+      const BsdfValue v = value(point, flow.incident, flow.exitant);
+      return scattering<R>(point, flow.incident, flow.exitant, v) *
+             (glm::dot(point.normal, sample.direction) / sample.pdf);
+    } else {
+      return sample.weight;
+    }
+  }
+
+ private:
+  malus::FresnelTerms<float> transmission(float c) const {
+    return malus::fresnel_transmission(std::min(c, 1.0f), eta);
+  }
+};
+
+}  // namespace renderer

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Iterations of the algorithms that trace paths from the lights too: each gives one sample of every
+// pixel, to which light paths may contribute from anywhere.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+
+#include "../film/exposure.hpp"
+#include "../integrators/bidirectional.hpp"
+#include "render_options.hpp"
+#include "tiles.hpp"
+
+namespace renderer {
+
+template <class R>
+class BidirectionalPass {
+ public:
+  static constexpr bool needs_whole_iterations = true;
+
+  BidirectionalPass(const Scene& scene, const RenderOptions& options, Film& film)
+      : scene_(scene),
+        techniques_(*Techniques::named(scene.integrator.name)),
+        seed_(options.seed),
+        film_(film),
+        tiles_(scene.film),
+        layers_(techniques_.merge ? 1 : film.batches()),
+        exposure_(scene.film, layers_),
+        paths_per_pixel_(light_paths_per_pixel()),
+        integrators_([this] { return Worker(scene_, techniques_); }) {}
+
+  /// Iterations [first, last). False if it was stopped before its end; whole iterations stay done.
+  template <class Stopped>
+  bool run(std::uint64_t first, std::uint64_t last, Stopped&& stopped) {
+    for (std::uint64_t i = first; i < last; i += layers_) {
+      const auto layers = static_cast<std::size_t>(std::min<std::uint64_t>(layers_, last - i));
+      exposure_.clear();
+      // A large picture is done in parts, each with its own light paths: memory stays bounded.
+      for (std::size_t tile = 0; tile < tiles_.count(); tile += tiles_at_once)
+        if (!run_part(i, layers, tile, std::min(tile + tiles_at_once, tiles_.count()), stopped))
+          return false;
+      for (std::size_t layer = 0; layer < layers; ++layer)
+        exposure_.develop(layer, static_cast<std::size_t>((i + layer) % film_.batches()), film_);
+    }
+    return true;
+  }
+
+  /// After run() was stopped before it had completed any iteration: adds what there is of the
+  /// first, which is short of some light.
+  void salvage() {
+    exposure_.add(splats_);
+    exposure_.develop(0, 0, film_);
+  }
+
+  /// Up to which iteration the next run() goes, which is as short as may be: what is stopped within
+  /// is lost.
+  std::uint64_t next(std::uint64_t done, std::uint64_t) const { return done + layers_; }
+
+  Counters counters() const {
+    Counters sum;
+    for (const auto& worker : integrators_) sum += worker.integrator.counters();
+    return sum;
+  }
+
+  LightVertexMemory light_vertices() const {
+    if (techniques_.lens_alone) return {};
+    LightVertexMemory memory{sizeof(LightVertex<R>), techniques_.merge ? sizeof(Photon<R>) : 0,
+                             peak_bytes_};
+    for (const auto& worker : integrators_) memory.peak += bytes(worker.paths);
+    return memory;
+  }
+
+ private:
+  static constexpr std::size_t tiles_at_once = (1 << 20) / (Tiles::size * Tiles::size);
+
+  /// What a thread keeps.
+  struct Worker {
+    Worker(const Scene& scene, const Techniques& techniques) : integrator(scene, techniques) {}
+    BidirectionalIntegrator<R> integrator;
+    LightPaths<R> paths;  // of the sample at hand, where no more are needed
+  };
+
+  static std::size_t bytes(const LightPaths<R>& p) {
+    return p.vertices.capacity() * sizeof(LightVertex<R>) + p.ends.capacity() * sizeof(p.ends[0]);
+  }
+
+  /// A picture of few pixels needs more photons than pixels.
+  std::uint64_t light_paths_per_pixel() const {
+    constexpr std::uint64_t least_photon_paths = 1 << 12;
+    const auto pixels =
+        static_cast<std::uint64_t>(film_.width()) * static_cast<std::uint64_t>(film_.height());
+    return techniques_.merge ? (least_photon_paths + pixels - 1) / pixels : 1;
+  }
+
+  /// One part of the picture in iterations [first, first + layers).
+  template <class Stopped>
+  bool run_part(std::uint64_t first, std::size_t layers, std::size_t first_tile,
+                std::size_t last_tile, Stopped&& stopped) {
+    const std::size_t tasks = (last_tile - first_tile) * layers;
+    const Iteration<R> iteration = begin(first, first_tile, last_tile);
+    splats_.resize(tasks);
+    for (SplatList& list : splats_) list.splats.clear();
+    paths_.resize(techniques_.merge ? tasks : 0);
+    const auto each_task = [&](auto&& work) {
+      std::atomic<bool> complete{true};
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks, 1),
+                        [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                            if (stopped()) complete = false;
+                            if (!complete) return;
+                            work(Task{i, first_tile + i / layers, i % layers, first + i % layers},
+                                 integrators_.local());
+                          }
+                        });
+      return complete.load();
+    };
+
+    if (techniques_.merge) {
+      if (!each_task([&](const Task& t, Worker& w) { trace_photons(iteration, t, w); }))
+        return false;
+      photons_.build(paths_, scene_.geometry.center(), radius(first));
+      note_memory();
+    }
+    if (!each_task([&](const Task& t, Worker& w) { render_tile(iteration, t, w); })) return false;
+    exposure_.add(splats_);
+    return true;
+  }
+
+  /// One tile in one iteration.
+  struct Task {
+    std::size_t number, tile, layer;
+    std::uint64_t iteration;
+  };
+
+  Iteration<R> begin(std::uint64_t first, std::size_t first_tile, std::size_t last_tile) const {
+    Iteration<R> it;
+    const auto pixels =
+        static_cast<std::uint64_t>(film_.width()) * static_cast<std::uint64_t>(film_.height());
+    it.light_paths = static_cast<float>(pixels * paths_per_pixel_);
+    if (!techniques_.merge) return it;
+    std::uint64_t photon_paths = 0;
+    for (std::size_t tile = first_tile; tile < last_tile; ++tile)
+      photon_paths += tiles_.pixels(tile) * paths_per_pixel_;
+    const float r = radius(first);
+    it.factors.vm = pi * r * r * static_cast<float>(photon_paths);
+    it.factors.vc = techniques_.connect ? 1 / it.factors.vm : 0;
+    it.merge_normalization = 1 / it.factors.vm;
+    it.photons = &photons_;
+    return it;
+  }
+
+  /// Knaus & Zwicker 2011: a radius that shrinks slowly enough for the variance to vanish too.
+  float radius(std::uint64_t iteration) const {
+    const IntegratorSettings& s = scene_.integrator;
+    const float shrunk = std::pow(static_cast<float>(iteration + 1), 0.5f * (s.radius_alpha - 1));
+    return s.initial_radius * scene_.geometry.radius() * shrunk;
+  }
+
+  /// Other random numbers than the camera's paths have.
+  Sampler light_sampler(std::size_t pixel, std::uint64_t path, std::uint64_t iteration) const {
+    return {~seed_, pixel * paths_per_pixel_ + path, iteration};
+  }
+
+  void trace_photons(const Iteration<R>& iteration, const Task& task, Worker& worker) {
+    LightPaths<R>& paths = paths_[task.number];
+    paths.clear();
+    SplatList& list = begin_list(task);
+    tiles_.each_pixel(task.tile, [&](int, int, std::size_t pixel) {
+      for (std::uint64_t i = 0; i < paths_per_pixel_; ++i) {
+        Sampler sampler = light_sampler(pixel, i, task.iteration);
+        worker.integrator.trace_light_path(iteration, sampler, paths, list.splats);
+      }
+    });
+  }
+
+  /// Camera paths; where light paths aren't needed all at once, each is traced here.
+  void render_tile(const Iteration<R>& iteration, const Task& task, Worker& worker) {
+    if (!techniques_.merge) begin_list(task);
+    std::size_t path = 0;
+    tiles_.each_pixel(task.tile, [&](int x, int y, std::size_t pixel) {
+      std::span<const LightVertex<R>> light_path;
+      if (techniques_.merge) {
+        light_path = paths_[task.number].path(path);
+        path += paths_per_pixel_;
+      } else {
+        worker.paths.clear();
+        Sampler sampler = light_sampler(pixel, 0, task.iteration);
+        worker.integrator.trace_light_path(iteration, sampler, worker.paths,
+                                           splats_[task.number].splats);
+        light_path = worker.paths.path(0);
+      }
+      if (techniques_.lens_alone) return;
+      Sampler sampler(seed_, pixel, task.iteration);
+      const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, sampler.next_2d());
+      const auto reading = worker.integrator.measure(iteration, ray, sampler, light_path);
+      if (is_finite(reading))
+        exposure_.add(pixel, task.layer, reading);
+      else
+        worker.integrator.drop();
+    });
+  }
+
+  SplatList& begin_list(const Task& task) {
+    SplatList& list = splats_[task.number];
+    list.layer = task.layer;
+    list.splats.clear();
+    return list;
+  }
+
+  void note_memory() {
+    std::size_t sum = photons_.bytes();
+    for (const auto& paths : paths_) sum += bytes(paths);
+    peak_bytes_ = std::max(peak_bytes_, sum);
+  }
+
+  const Scene& scene_;
+  const Techniques techniques_;
+  std::uint64_t seed_;
+  Film& film_;
+  Tiles tiles_;
+  std::size_t layers_;
+  Exposure exposure_;
+  std::uint64_t paths_per_pixel_;
+  std::vector<SplatList> splats_;     // by task
+  std::vector<LightPaths<R>> paths_;  // by task, where all are needed at once
+  PhotonMap<R> photons_;
+  std::size_t peak_bytes_ = 0;
+  tbb::enumerable_thread_specific<Worker> integrators_;
+};
+
+}  // namespace renderer

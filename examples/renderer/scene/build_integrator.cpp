@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "build.hpp"
+
+namespace renderer {
+
+namespace {
+
+void read_merging(const Object& o, IntegratorSettings& settings) {
+  settings.initial_radius = static_cast<float>(o.positive("initial_radius", 0.003));
+  if (settings.initial_radius > 1 || settings.initial_radius < 1e-5f)
+    o.fail("initial_radius",
+           "initial_radius is a part of the scene's radius, from 0.00001 to 1 (default 0.003)");
+  settings.radius_alpha = static_cast<float>(o.number("radius_alpha", 0.75));
+  if (!(settings.radius_alpha > 0 && settings.radius_alpha <= 1))
+    o.fail("radius_alpha",
+           "radius_alpha is above 0 and at most 1, with which the radius stays (default 0.75)");
+}
+
+}  // namespace
+
+void set_integrator(IntegratorSettings& settings, const std::string& name) {
+  // Media need no other integrator: Mitsuba's name for one with them differs in what counts.
+  settings.sheets_count = name != "volpath";
+  settings.name = name == "volpath" ? "path" : name;
+}
+
+void build_integrator(const Object& o, Scene& scene) {
+  // Mitsuba's "stokes" wraps the integrator whose Stokes vectors are wanted; here they always are.
+  if (o.type() == "stokes") {
+    const auto inner = o.only_child("integrator");
+    if (!inner) o.fail("a \"stokes\" integrator holds the <integrator> to be used");
+    o.reject_unknown();
+    return build_integrator(*inner, scene);
+  }
+  const auto techniques = Techniques::named(o.type());
+  if (!techniques && o.type() != "path" && o.type() != "volpath")
+    fail_unknown_plugin(o, {"bdpt", "bpm", "path", "ppm", "ptracer", "vcm", "volpath",
+                            "and \"stokes\" around them"});
+  IntegratorSettings& settings = scene.integrator;
+  set_integrator(settings, o.type());
+  settings.max_depth = static_cast<int>(o.integer_in("max_depth", -1, -1, 1 << 20));
+  if (settings.max_depth == 0) o.fail("max_depth", "max_depth is -1 (no limit) or at least 1");
+  settings.rr_depth = static_cast<int>(o.integer_in("rr_depth", 5, 1, 1 << 20));
+  settings.hide_emitters = o.boolean("hide_emitters", false);
+  if (techniques && techniques->lens_alone) o.integer_in("samples_per_pass", -1, -1, 1LL << 40);
+  // Another integrator may be asked for in the end: the radius may be given with any.
+  read_merging(o, settings);
+  o.reject_unknown();
+}
+
+}  // namespace renderer

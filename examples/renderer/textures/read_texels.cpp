@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "read_texels.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "../image/finite.hpp"
+#include "../io/exr.hpp"
+#include "../scene/text.hpp"
+#include "../scene/xml_file.hpp"
+#include "read_radiance.hpp"
+
+// stb_image is a header with its functions' bodies in it; they are this file's own.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_NO_PSD
+#define STBI_NO_GIF
+#define STBI_NO_PIC
+#define STBI_NO_PNM
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 65536
+#if __has_include(<stb/stb_image.h>)
+#include <stb/stb_image.h>
+#else
+#include <stb_image.h>
+#endif
+
+namespace renderer {
+
+namespace {
+
+constexpr std::uintmax_t largest_file = std::numeric_limits<int>::max();  // stb counts in int
+
+float decode_srgb(float v) {
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+/// What stb_image 2.27 doesn't check, and writes beyond its tables for. Up to the first scan a JPEG
+/// is read segment by segment; from there on every pair of bytes that may be the marker is taken
+/// for it, as stb may.
+bool has_sound_huffman_tables(std::string_view jpeg) {
+  constexpr std::uint8_t huffman_tables = 0xc4, start_of_scan = 0xda;
+  const auto byte = [&](std::size_t i) {
+    return i < jpeg.size() ? static_cast<std::uint8_t>(jpeg[i]) : std::uint8_t{0};
+  };
+  const auto is_sound = [&](std::size_t at) {
+    const std::size_t end = at + byte(at) * 256u + byte(at + 1);
+    for (at += 2; at < end;) {
+      std::size_t codes = 0;
+      for (std::size_t i = 1; i <= 16; ++i) codes += byte(at + i);
+      if (codes > 256) return false;
+      at += 17 + codes;
+    }
+    return true;
+  };
+  bool in_scan = false;
+  for (std::size_t at = 2; at < jpeg.size();) {
+    if (byte(at++) != 0xff) continue;
+    while (byte(at) == 0xff) ++at;
+    const std::uint8_t marker = byte(at++);
+    if (marker == huffman_tables && !is_sound(at)) return false;
+    in_scan |= marker == start_of_scan;
+    if (!in_scan && marker != 0) at += byte(at) * 256u + byte(at + 1);
+  }
+  return true;
+}
+
+/// Of one file that is being read.
+class TexelReader {
+ public:
+  TexelReader(const std::filesystem::path& path, bool raw, const Location& asker)
+      : path_(path), raw_(raw), asker_(asker) {}
+
+  Texels read() {
+    const std::string bytes = read_bytes(path_, largest_file, asker_);
+    Texels texels = bytes.starts_with("\x76\x2f\x31\x01") ? from_exr()
+                    : is_radiance(bytes)                  ? from_radiance(bytes)
+                                                          : from_stb(bytes);
+    for (std::size_t i = 0; i < texels.values.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (!is_finite(texels.values[i][c])) {
+          const auto width = static_cast<std::size_t>(texels.width);
+          fail("the pixel in column " + std::to_string(i % width) + ", row " +
+               std::to_string(i / width) + " is not finite");
+        }
+    return texels;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    if (asker_.file.empty()) throw InputError({path_.string(), 0}, problem);
+    throw InputError(asker_, "the file " + in_quotes(path_.string()) + ": " + problem);
+  }
+
+  Texels from_exr() const {
+    const Image image = read_exr(path_.string());
+    const bool colored = image.has("R") && image.has("G") && image.has("B");
+    if (!colored && !image.has("Y"))
+      fail("has the channels " + joined(image.channels) + "; needed: R, G and B, or Y");
+    const auto r = image.plane(colored ? "R" : "Y"), g = image.plane(colored ? "G" : "Y"),
+               b = image.plane(colored ? "B" : "Y");
+    Texels texels{image.width, image.height, {}};
+    texels.values.reserve(image.pixels());
+    for (std::size_t i = 0; i < image.pixels(); ++i) texels.values.emplace_back(r[i], g[i], b[i]);
+    return texels;
+  }
+
+  Texels from_radiance(const std::string& bytes) const {
+    try {
+      return read_radiance(bytes);
+    } catch (const std::runtime_error& error) {
+      fail(std::string("cannot be read as Radiance HDR: ") + error.what());
+    }
+  }
+
+  /// As of OpenEXR files, a large claim must be borne out by the file.
+  void check_size(const Texels& texels, std::size_t file_size) const {
+    constexpr std::uint64_t believed = std::uint64_t{1} << 24, pixels_per_byte = 1024;
+    const auto pixels =
+        static_cast<std::uint64_t>(texels.width) * static_cast<std::uint64_t>(texels.height);
+    if (pixels > believed && pixels > pixels_per_byte * file_size)
+      fail("damaged: it claims " + std::to_string(texels.width) + " x " +
+           std::to_string(texels.height) + " pixels, but has only " + std::to_string(file_size) +
+           " bytes");
+  }
+
+  Texels from_stb(const std::string& bytes) const {
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    Texels texels;
+    int channels = 0;
+    if (bytes.starts_with("\xff\xd8") && !has_sound_huffman_tables(bytes))
+      fail("damaged: a JPEG's Huffman table has more than 256 codes");
+    if (!stbi_info_from_memory(data, size, &texels.width, &texels.height, &channels)) fail_in_stb();
+    check_size(texels, bytes.size());
+    const auto load = [&]<class Value>(Value* loaded) {
+      const std::unique_ptr<Value, void (*)(void*)> values(loaded, stbi_image_free);
+      if (!values) fail_in_stb();
+      decode(values.get(), texels);
+    };
+    int* const w = &texels.width;
+    int* const h = &texels.height;
+    if (stbi_is_16_bit_from_memory(data, size))
+      load(stbi_load_16_from_memory(data, size, w, h, &channels, 3));
+    else
+      load(stbi_load_from_memory(data, size, w, h, &channels, 3));
+    return texels;
+  }
+
+  [[noreturn]] void fail_in_stb() const {
+    fail(std::string("cannot be read as a picture (") + stbi_failure_reason() +
+         "); allowed: OpenEXR, HDR, PNG, JPEG, BMP, TGA");
+  }
+
+  template <class Value>
+  void decode(const Value* v, Texels& texels) const {
+    const auto pixels =
+        static_cast<std::size_t>(texels.width) * static_cast<std::size_t>(texels.height);
+    texels.values.reserve(pixels);
+    constexpr std::size_t levels = std::size_t{std::numeric_limits<Value>::max()} + 1;
+    std::vector<float> linear(levels);
+    for (std::size_t i = 0; i < levels; ++i) {
+      const float share = static_cast<float>(i) / static_cast<float>(levels - 1);
+      linear[i] = raw_ ? share : decode_srgb(share);
+    }
+    for (std::size_t i = 0; i < pixels; ++i, v += 3)
+      texels.values.emplace_back(linear[v[0]], linear[v[1]], linear[v[2]]);
+  }
+
+  const std::filesystem::path& path_;
+  bool raw_;
+  const Location& asker_;
+};
+
+}  // namespace
+
+Texels read_texels(const std::filesystem::path& path, bool raw, const Location& asker) {
+  return TexelReader(path, raw, asker).read();
+}
+
+}  // namespace renderer
