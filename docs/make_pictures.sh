@@ -3,11 +3,12 @@
 #
 # Renders the pictures in docs/pictures from the scenes in examples/scenes:
 #
-#   docs/make_pictures.sh [PROGRAMS [OUTPUT]]
+#   [DRAFT=n] docs/make_pictures.sh [PROGRAMS [OUTPUT]]
 #
 # PROGRAMS is the folder that malus-render and malus-image are in (build/examples/examples, which examples/run.sh
-# builds, unless given), OUTPUT where the pictures go (docs/pictures). Needs gnuplot for the plot and ImageMagick to
-# reduce the number of colours; on two cores it takes some minutes.
+# builds, unless given), OUTPUT where the pictures go (docs/pictures). DRAFT divides all numbers of samples, to see
+# quickly whether everything works. Needs gnuplot for the plot and ImageMagick to put pictures side by side and reduce
+# the number of colours; on two cores it takes a quarter of an hour.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 programs=${1:-build/examples/examples}
@@ -23,21 +24,47 @@ trap 'rm -rf "$work"' EXIT
 
 render() { "$programs/malus-render" "$@"; }
 show() { "$programs/malus-image" "$@"; }
+spp() { echo $(($1 / ${DRAFT:-1} > 0 ? $1 / ${DRAFT:-1} : 1)); }
 
 # A noisy picture of full colour compresses badly: 255 colours will do.
 reduce() { convert "$1" -colors 255 "PNG8:$1"; }
 
 # The box: intensity, degree and angle of linear polarisation. Most of what the spheres show is polarised weakly:
 # degrees are doubled.
-render "$scenes/box.xml" -o "$work/box.exr" --spp 256
+render "$scenes/box.xml" -o "$work/box.exr" --spp "$(spp 256)"
 show "$work/box.exr" --show intensity -o "$out/box_intensity.png"
 show "$work/box.exr" --show overlay --scale 2 -o "$out/box_overlay.png"
 show "$work/box.exr" --show aolp --scale 2 -o "$out/box_aolp.png"
 reduce "$out/box_intensity.png"
 reduce "$out/box_overlay.png"
 
+# Figure 1 of the paper: intensity, and below it the same in grey with the degree of polarisation in red, doubled.
+# Figure 2: path tracing on the left, vcm on the right, the difference between them, each as S3 S1 over S2 S0; S1 to S3
+# and the difference four times as bright as they are.
+for scene in diffuse glossy glass; do
+  render "$scenes/$scene.xml" -D resolution=256 -o "$work/${scene}_vcm.exr" --integrator vcm --spp "$(spp 128)"
+  show "$work/${scene}_vcm.exr" --show intensity -o "$work/${scene}_intensity.png"
+  show "$work/${scene}_vcm.exr" --show overlay --scale 2 -o "$work/${scene}_overlay.png"
+done
+for scene in glossy glass; do
+  render "$scenes/$scene.xml" -D resolution=256 -o "$work/${scene}_path.exr" --integrator path --spp "$(spp 512)"
+  show --compare "$work/${scene}_path.exr" "$work/${scene}_vcm.exr" --scale 4 -o "$work/${scene}_compare.png"
+done
+convert \( "$work"/{diffuse,glossy,glass}_intensity.png +append \) \
+  \( "$work"/{diffuse,glossy,glass}_overlay.png +append \) -append +repage "$out/figure1.png"
+convert "$work"/{glossy,glass}_compare.png -append +repage -filter box -resize 1024x "$out/figure2.png"
+reduce "$out/figure1.png"
+reduce "$out/figure2.png"
+
+# The bathroom, by the algorithm that it is made for.
+render "$scenes/bathroom.xml" -D width=480 -D height=320 -o "$work/bathroom.exr" --integrator vcm --spp "$(spp 96)"
+show "$work/bathroom.exr" --show intensity -o "$out/bathroom_intensity.png"
+show "$work/bathroom.exr" --show overlay --scale 2 -o "$out/bathroom_overlay.png"
+reduce "$out/bathroom_intensity.png"
+reduce "$out/bathroom_overlay.png"
+
 # Three sheets, and the same picture through a filter that was chosen after rendering.
-render "$scenes/crossed_polarizers.xml" -o "$work/crossed.exr" --spp 64
+render "$scenes/crossed_polarizers.xml" -o "$work/crossed.exr" --spp "$(spp 64)"
 show "$work/crossed.exr" --show intensity -o "$out/crossed_polarizers.png"
 show "$work/crossed.exr" --show aolp -o "$out/crossed_polarizers_aolp.png"
 show "$work/crossed.exr" --filter linear:0 --show intensity -o "$out/crossed_polarizers_filtered.png"
@@ -47,7 +74,7 @@ component() { # FILE OBJECT COMPONENT: the first channel
   tr -d ' \n' <"$1" | sed -E "s/.*\"$2\":\{[^}]*\"$3\":\[([^],]*).*/\1/"
 }
 for angle in $(seq 5 5 55) 56.309932474020215 $(seq 60 5 85); do
-  render "$scenes/brewster.xml" -D "angle=$angle" --spp 65536 -o "$work/meter.exr" --stats "$work/meter.json" >/dev/null
+  render "$scenes/brewster.xml" -D "angle=$angle" --spp "$(spp 65536)" -o "$work/meter.exr" --stats "$work/meter.json" >/dev/null
   echo "$angle" \
     "$(component "$work/meter.json" measurement S0)" "$(component "$work/meter.json" standard_error S0)" \
     "$(component "$work/meter.json" measurement S1)" "$(component "$work/meter.json" standard_error S1)"
