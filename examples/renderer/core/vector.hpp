@@ -25,7 +25,7 @@ inline Rgb to_rgb(const glm::dvec3& c) {
 }
 
 /// Of unit length; v is not zero. One division, where GLM's operators have three.
-inline Vec3 normalized(const Vec3& v) { return v * (1 / std::sqrt(glm::dot(v, v))); }
+MALUS_INLINE Vec3 normalized(const Vec3& v) { return v * (1 / std::sqrt(glm::dot(v, v))); }
 
 /// Mirror image of w about the axis n; both point away from the surface.
 inline Vec3 reflect_about(const Vec3& w, const Vec3& n) { return 2 * glm::dot(w, n) * n - w; }

@@ -49,7 +49,7 @@ struct SurfacePoint {
 
   /// The side of the surface that w points to, for both normals alike. Where they disagree, the
   /// interpolated normal claims light to pass through the surface, and there is none.
-  bool sides_agree(const Vec3& w) const {
+  MALUS_INLINE bool sides_agree(const Vec3& w) const {
     return glm::dot(geometric_normal, w) * glm::dot(normal, w) > 0;
   }
   /// The same point seen as the other side's front.
@@ -58,23 +58,23 @@ struct SurfacePoint {
     normal = -normal;
   }
   /// A ray that leaves towards w.
-  Ray leave(const Vec3& w) const { return {offset(w), w}; }
+  MALUS_INLINE Ray leave(const Vec3& w) const { return {offset(w), w}; }
   /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it
   /// starts: a parallel one would meet a sphere before a point on its limb. Its direction is not
   /// of unit length.
-  Ray leave_for(const Vec3& target, const Vec3& w) const {
+  MALUS_INLINE Ray leave_for(const Vec3& target, const Vec3& w) const {
     const Vec3 origin = offset(w);
     return {origin, target - origin, 1 - 2e-4f};
   }
   /// The ray to another surface's point, between points off both: the same seen from either end.
   /// Its direction is not of unit length.
-  Ray leave_for(const SurfacePoint& other, const Vec3& w) const {
+  MALUS_INLINE Ray leave_for(const SurfacePoint& other, const Vec3& w) const {
     const Vec3 origin = offset(w);
     return {origin, other.offset(-w) - origin, 1};
   }
 
  private:
-  Vec3 offset(const Vec3& w) const {
+  MALUS_INLINE Vec3 offset(const Vec3& w) const {
     return position + geometric_normal * std::copysign(reach, glm::dot(geometric_normal, w));
   }
 };

@@ -45,7 +45,7 @@ class BidirectionalIntegrator {
     const MisFactors& f = iteration.factors;
     if (techniques_.lens_alone) ++counters_.samples;
     // The one technique that the heuristic leaves out: camera paths find every light themselves.
-    if ((techniques_.lens_alone && !scene_.integrator.hide_emitters) || selects({1, 1}))
+    if (techniques_.lens_alone || selects({1, 1}))
       lens_.connect_light(sampler, iteration.light_paths, splats);
     subpath_.trace(sampler, f, [&](const LightVertex<R>& v) {
       const auto weigh = [&](float camera_pdf, const BsdfValue& value) {
@@ -245,6 +245,7 @@ class BidirectionalIntegrator {
   void merge(const Vertex& v) {
     const IntegratorSettings& settings = scene_.integrator;
     const MisFactors& factors = iteration_->factors;
+    const float normalization = iteration_->merge_normalization / opacity(v.hit);
     iteration_->photons->each_near(v.hit.position, [&](const Photon<R>& photon) {
       if (settings.max_depth >= 0 && photon.edges + v.edges > settings.max_depth) return;
       // A photon on the other side, or on a wall across a corner, is not here.
@@ -253,13 +254,20 @@ class BidirectionalIntegrator {
       const BsdfValue value = v.bsdf->value(v.hit, photon.incident, v.exitant);
       if (malus::max_channel(value.m00) <= 0) return;
       ++counters_.merges;
-      float w = iteration_->merge_normalization * incident_correction(v.hit, photon.incident);
+      float w = normalization * incident_correction(v.hit, photon.incident);
       if (!techniques_.first_vertex)
         w *= mis_weight(photon.vcm * factors.vc + photon.vm * value.pdf_incident,
                         v.mis.merged(value.pdf_exitant, factors));
       const auto f = v.bsdf->template scattering<R>(v.hit, photon.incident, v.exitant, value);
       path_.deposit(R::scatter(f, photon.light) * w);
     });
+  }
+
+  /// The chance that a path stops at a mask: photons and the camera's path have both drawn it.
+  float opacity(const Hit& hit) const {
+    if (!scene_.has_masks) return 1;
+    const Material& material = scene_.shapes[hit.shape].material;
+    return material.is_masked() ? material.opacity(hit) : 1.0f;
   }
 
   /// A connection's weight: the heuristic's, or, where one strategy is asked for alone, 1 or 0.

@@ -51,13 +51,16 @@ class Lens {
 
   /// Connects a light itself: what a camera ray that meets it would see.
   void connect_light(Sampler& sampler, float paths, std::vector<Splat>& splats) {
+    // What is hidden is what nothing that counts is in front of.
+    const bool hides = scene_.integrator.hide_emitters;
+    if (hides && !(scene_.has_passages() && scene_.integrator.sheets_count)) return;
     LightSample light;
     const Vec3& origin = scene_.sensor->origin();
     if (!scene_.sample_light(origin, sampler, light) || light.is_delta) return;
     Sensor::Projection seen;
     if (!scene_.sensor->project(light.position, seen) || !on_film(seen.film)) return;
     if (seen.distance < seen.near || (seen.distance > seen.far && !light.is_at_infinity)) return;
-    if (!open(seen, sheets_left(0))) return;
+    if (!open(seen, sheets_left(0)) || (hides && visibility_.passed() == 0)) return;
     splat(seen, pdf(seen.direction) / (light.pdf * paths), R::unpolarized(light.radiance), splats);
   }
 

@@ -19,11 +19,25 @@ class Visibility {
 
   /// True if light gets through from the end of a ray, short of `target`, to its start. Sheets and
   /// masks let it pass, though not more of them than `most`.
-  bool open(Ray ray, const Vec3& target, int most = std::numeric_limits<int>::max()) {
-    if (!scene_.has_passages()) {
-      ++counters_.shadow_rays;
-      return !scene_.geometry.occluded(ray);
-    }
+  bool open(const Ray& ray, const Vec3& target, int most = std::numeric_limits<int>::max()) {
+    if (scene_.has_passages()) return open_through_passages(ray, target, most);
+    ++counters_.shadow_rays;
+    return !scene_.geometry.occluded(ray);
+  }
+
+  /// What is left of light, sent from the end of the ray that open() was asked about, at its start.
+  /// A ray that is traced against the light meets last what acts first.
+  typename R::Light through(const typename R::Light& light) {
+    if (!scene_.has_passages() || passed_ == 0) return light;
+    passages_.deposit(light);
+    return passages_.result();
+  }
+
+  /// How many sheets and masks open() has let light through.
+  int passed() const { return scene_.has_passages() ? passed_ : 0; }
+
+ private:
+  bool open_through_passages(Ray ray, const Vec3& target, int most) {
     passages_.begin();
     const Vec3 to_end = normalized(ray.direction);
     for (passed_ = 0;; ++passed_) {
@@ -35,15 +49,6 @@ class Visibility {
     }
   }
 
-  /// What is left of light, sent from the end of the ray that open() was asked about, at its start.
-  /// A ray that is traced against the light meets last what acts first.
-  typename R::Light through(const typename R::Light& light) {
-    if (!scene_.has_passages() || passed_ == 0) return light;
-    passages_.deposit(light);
-    return passages_.result();
-  }
-
- private:
   bool pass(Hit& hit, const Vec3& light) {
     const Material& material = scene_.shapes[hit.shape].material;
     const float opacity = material.is_masked() ? material.opacity(hit) : 1;
