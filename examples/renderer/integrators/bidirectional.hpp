@@ -15,6 +15,7 @@
 
 #include "lens.hpp"
 #include "photon_map.hpp"
+#include "roulette.hpp"
 #include "techniques.hpp"
 
 namespace renderer {
@@ -131,12 +132,9 @@ class BidirectionalIntegrator {
       if (techniques_.first_vertex && !sample.is_delta) return;
       if (!v.hit.sides_agree(sample.direction)) return;
       eta *= sample.eta;
-      float survival = 1;
-      if (v.edges >= settings.rr_depth) {
-        survival =
-            std::min(malus::max_channel(path_.throughput() * sample.weight) * eta * eta, 0.95f);
-        if (!(sampler.next_1d() < survival)) return;
-      }
+      const float survival =
+          survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta));
+      if (survival < 1 && !(sampler.next_1d() < survival)) return;
       scatter(v.bsdf->template weight<R>(v.hit, v.exitant, Tracing::from_camera, sample), survival);
       mis = v.mis;
       mis.scatter(sample, std::abs(glm::dot(v.hit.geometric_normal, sample.direction)),

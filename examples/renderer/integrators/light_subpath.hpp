@@ -12,6 +12,7 @@
 #include "../scene/scene.hpp"
 #include "counters.hpp"
 #include "mis.hpp"
+#include "roulette.hpp"
 
 namespace renderer {
 
@@ -99,12 +100,9 @@ class LightSubpath {
       const float correction =
           incident_correction(hit, incident) * cosine / std::abs(glm::dot(hit.normal, exitant));
       share *= sample.weight * correction;
-      float survival = 1;
-      if (edges >= settings.rr_depth) {
-        survival = std::min(malus::max_channel(share), 0.95f);
-        if (!(sampler.next_1d() < survival)) return;
-        share *= Rgb(1 / survival);
-      }
+      const float survival = survival_chance(settings, edges, share);
+      if (survival < 1 && !(sampler.next_1d() < survival)) return;
+      share *= Rgb(1 / survival);
       const auto weight = bsdf.template weight<R>(hit, incident, Tracing::from_light, sample);
       light = R::scatter(weight, light) * (correction / survival);
       mis.scatter(sample, cosine, factors);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <malus/radiometry.hpp>
 
+#include "roulette.hpp"
 #include "visibility.hpp"
 
 namespace renderer {
@@ -69,12 +70,9 @@ class PathIntegrator {
       if (!bsdf.sample(hit, exitant, Tracing::from_camera, sampler, sample)) return;
       if (!hit.sides_agree(sample.direction)) return;
       eta *= sample.eta;
-      float survival = 1;
-      if (depth + 1 >= scene_.integrator.rr_depth) {
-        survival =
-            std::min(malus::max_channel(path_.throughput() * sample.weight) * eta * eta, 0.95f);
-        if (!(sampler.next_1d() < survival)) return;
-      }
+      const float survival = survival_chance(scene_.integrator, depth + 1,
+                                             path_.throughput() * sample.weight * (eta * eta));
+      if (survival < 1 && !(sampler.next_1d() < survival)) return;
       scatter(bsdf.template weight<R>(hit, exitant, Tracing::from_camera, sample), survival);
       last = {hit.position, sample.pdf, sample.is_delta};
       ++depth;
