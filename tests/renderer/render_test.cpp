@@ -41,19 +41,13 @@ TEST_CASE("render: without polarising elements both families read the same S0, t
   const Rendering u = render(scene, 4, Mode::unpolarized), o = render(scene, 4, Mode::optimized);
   CHECK(u.counters.rays == o.counters.rays);
   CHECK(u.counters.shadow_rays == o.counters.shadow_rays);
-  // The families add up in different orders, and an optimiser may round their geometry differently:
-  // on a path by way of several spheres that grows tenfold each time.
-  int off = 0;
   double most = 0;
   for (std::size_t p = 0; p < 1600; ++p) {
     const glm::dvec4 a = reading(u, p).stokes, b = reading(o, p).stokes;
-    const double difference = std::abs(a.x - b.x) / (a.x + 1e-3);
-    off += difference > 1e-5;
-    most = std::max(most, difference);
-    CHECK_MESSAGE((b.y == 0 && b.z == 0 && b.w == 0), p);
+    most = std::max(most, std::abs(a.x - b.x) / (a.x + 1e-3));
+    most = std::max(most, std::max(std::abs(b.y), std::max(std::abs(b.z), std::abs(b.w))));
   }
-  CHECK(off <= 3);
-  CHECK(most < 1e-3);
+  CHECK(most < 1e-5);
 }
 
 TEST_CASE(
