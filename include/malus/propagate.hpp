@@ -65,6 +65,18 @@ MALUS_INLINE constexpr auto propagate(const W& w, const T& transmittance) {
   return w * transmittance;
 }
 
+/// Two stretches of medium along one ray, with nothing between them that light notices (an
+/// index-matched boundary): second · first, light passes `first` first, whichever way the path is
+/// traced. A product of two propagations is illegal otherwise: a scattering goes between them.
+template <TransmittanceType First, TransmittanceType Second>
+  requires(detail::SameValue<First, Second> && detail::FramesMeet<Second, First>)
+MALUS_INLINE constexpr auto concatenate(const First& first, const Second& second) {
+  using Leaving =
+      Mueller<typename First::value_type, exitant, exitant, typename First::enter_frame_type,
+              typename First::exit_frame_type, First::static_form>;
+  return second * detail::retag<Leaving>(first);
+}
+
 // What does not compile, and why
 
 namespace detail {

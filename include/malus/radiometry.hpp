@@ -6,6 +6,7 @@
 
 #include <malus/measurement.hpp>
 #include <malus/path_sweep.hpp>
+#include <malus/row_sweep.hpp>
 
 namespace malus {
 
@@ -15,9 +16,11 @@ template <SpectralValue V>
 struct Unpolarized {
   using Value = V;
   using Light = V;                ///< exitant radiance
-  using Scattering = V;           ///< BSDF, phase function or transmittance value
+  using Scattering = V;           ///< BSDF or phase function value
+  using Transmittance = V;        ///< what a stretch of medium leaves of light
   using Importance = V;           ///< what a sensor weighs incident radiance by
   using CameraPath = PathSum<V>;  ///< deposits and scatterings of a path, and their result
+  using RowPath = PathSum<V>;     ///< one that knows what intensity is read by
   static constexpr bool polarized = false;
 
   static Light unpolarized(const V& radiance) { return radiance; }
@@ -25,6 +28,8 @@ struct Unpolarized {
   static Scattering plain(const V& a) { return a; }
   /// f acts on light that reached its vertex.
   static Light scatter(const Scattering& f, const Light& light) { return f * light; }
+  /// Light on its way, behind a stretch of medium.
+  static Light transmit(const Transmittance& t, const Light& light) { return t * light; }
   static const V& m00(const Scattering& f) { return f; }
   /// The importance that a sensor whose image axes are `frame` emits.
   static Importance importance(const V& w, const Frame<scalar_t<V>>&) { return w; }
@@ -40,14 +45,20 @@ struct Polarized {
   using Value = V;
   using Light = Stokes<V, exitant>;
   using Scattering = Mueller<V, incident, exitant>;
+  using Transmittance = Mueller<V, exitant, incident>;
   using Importance = malus::Importance<V, incident>;
   using CameraPath = PathSweep<V>;
+  using RowPath = RowSweep<V>;
   static constexpr bool polarized = true;
 
   static Light unpolarized(const V& radiance) { return Light::unpolarized(radiance); }
   static Scattering depolarizer(const V& m00) { return Scattering::depolarizing(m00); }
   static Scattering plain(const V& a) { return Scattering::plain(a); }
   static Light scatter(const Scattering& f, const Light& light) { return f * propagate(light); }
+  /// The end of a stretch is no vertex: what leaves it is still on its way.
+  static Light transmit(const Transmittance& t, const Light& light) {
+    return detail::retag<Light>(propagate(light, t));
+  }
   static V m00(const Scattering& f) { return f.m00(); }
   /// W_e = [w Id, F_v]: the four Stokes components in the sensor's frame, times w.
   static Importance importance(const V& w, const Frame<scalar_t<V>>& frame) {

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include <malus/importance.hpp>
+#include <malus/optics/extinction.hpp>
 #include <malus/optics/polarizer.hpp>
 #include <malus/optics/rotator.hpp>
 #include <malus/path_sweep.hpp>
+#include <malus/row_sweep.hpp>
 
 #include "unit/optics_support.hpp"
 
@@ -401,4 +403,111 @@ TEST_CASE("the sum of intensities starts from nothing, and begins anew") {
   sum.begin();
   CHECK(sum.result() == 0);
   CHECK(sum.throughput() == 1);
+}
+
+TEST_CASE("what is lost on the way is lost by all that comes after, and by nothing before") {
+  Random random(96);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Path path = random_path(random, every_form, 6);
+    malus::PathSweep<double> attenuated, scattered;
+    malus::PathSum<double> sum, expected_sum;
+    for (std::size_t k = 0; k < path.deposits.size(); ++k) {
+      // Light of a medium itself comes before, between and after.
+      for (const Deposit& d : path.deposits[k]) {
+        const double left = random.unit();
+        attenuated.deposit(light_of<double>(d));
+        attenuated.attenuate(left);
+        scattered.deposit(light_of<double>(d));
+        scattered.scatter(malus::Mueller<double>::plain(left));
+        sum.deposit(d.stokes[0][0]);
+        sum.attenuate(left);
+        expected_sum.deposit(d.stokes[0][0]);
+        expected_sum.scatter(left);
+      }
+      if (k == path.events.size()) break;
+      attenuated.scatter(mueller_of<double>(path.events[k]));
+      scattered.scatter(mueller_of<double>(path.events[k]));
+    }
+    attenuated.deposit(malus::Stokes<double>::unpolarized(1));
+    scattered.deposit(malus::Stokes<double>::unpolarized(1));
+    CHECK(attenuated.throughput() == doctest::Approx(scattered.throughput()));
+    CHECK(sum.result() == expected_sum.result());
+    const auto a = measured(attenuated.result(), path), b = measured(scattered.result(), path);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("stretches of medium act in the light's order, the first one met last") {
+  Random random(97);
+  const auto frame = random.frame();
+  const auto direction = frame.direction();
+  // Passes what is polarised across x alone, and turns the plane by a right angle.
+  const auto dichroic =
+      malus::UniaxialExtinction<double>{.axis = frame.x(), .linear_dichroism = 80}.transmittance(
+          direction, 1);
+  const auto sugar =
+      malus::UniaxialExtinction<double>{.optical_rotation = pi / 2}.transmittance(direction, 1);
+  for (const double s1 : {1.0, -1.0}) {
+    malus::PathSweep<double> sweep;
+    sweep.transmit(dichroic);
+    sweep.transmit(sugar);
+    sweep.deposit({1, s1, 0, 0, frame});
+    CHECK(sweep.result()[0] == doctest::Approx(s1 > 0 ? 1 : 0));
+    sweep.begin();
+    sweep.transmit(sugar);
+    sweep.transmit(dichroic);
+    sweep.deposit({1, s1, 0, 0, frame});
+    CHECK(sweep.result()[0] == doctest::Approx(s1 > 0 ? 0 : 1));
+  }
+}
+
+TEST_CASE(
+    "the row is what the carried importance reads intensity by, and the light is the sweep's") {
+  using Carried = malus::Importance<double, incident>;
+  Random random(98);
+  malus::RowSweep<double> row;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Path path = random_path(random, every_form, 6);
+    malus::PathSweep<double> sweep;
+    row.begin();
+    Carried w = Carried::plain(1, path.sensor);
+    for (std::size_t k = 0; k < path.deposits.size(); ++k) {
+      for (const Deposit& d : path.deposits[k]) {
+        sweep.deposit(light_of<double>(d));
+        row.deposit(light_of<double>(d));
+        // The reading of the intensity of this light, by both.
+        const auto light = light_of<double>(d);
+        CHECK(row.row() * light ==
+              doctest::Approx((w * malus::propagate(light))[0]).epsilon(1e-10).scale(1));
+      }
+      CHECK(row.throughput() ==
+            doctest::Approx((w * malus::propagate(malus::Stokes<double>::unpolarized(1)))[0])
+                .epsilon(1e-10)
+                .scale(1));
+      if (k == path.events.size()) break;
+      const auto f = mueller_of<double>(path.events[k]);
+      const double left = random.unit();
+      sweep.scatter(f);
+      sweep.attenuate(left);
+      row.scatter(f);
+      row.attenuate(left);
+      w = malus::propagate(w) * f * left;
+    }
+    const auto a = row.result(), b = sweep.result();
+    CHECK(a.form() == b.form());
+    for (std::size_t i = 0; i < 4; ++i) CHECK(a[i] == b[i]);
+  }
+  // A medium that turns the plane: what was read along x is read along the other axis.
+  const auto frame = random.frame();
+  const auto sugar =
+      malus::UniaxialExtinction<double>{.extinction = 1, .optical_rotation = pi / 2}.transmittance(
+          frame.direction(), 1);
+  row.begin();
+  row.scatter(malus::linear_polarizer(1.0, frame));
+  row.transmit(sugar);
+  CHECK(row.row() * malus::Stokes<double>(1, -1, 0, 0, frame) == doctest::Approx(std::exp(-1.0)));
+  row.begin(false);
+  row.scatter(malus::linear_polarizer(1.0, frame));
+  CHECK(row.throughput() == 0.5);
+  CHECK(row.row().form() == malus::StokesForm::unpolarized);
 }
