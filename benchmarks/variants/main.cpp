@@ -19,21 +19,29 @@ namespace {
 using variants::Row;
 
 struct Arguments {
-  std::vector<std::string> scenes{"vcm_box", "diffuse", "glossy", "glass"};
+  std::vector<std::string> scenes{"vcm_box", "diffuse",     "glossy",
+                                  "glass",   "upbp_sphere", "glass_medium"};
   std::vector<std::string> algorithms{"path", "bdpt", "vcm"};
   std::string folder = MALUS_SCENES_DIR, json;
   double seconds = 8;
   int rounds = 8, threads = 1, resolution = 512;
 };
 
-/// SmallVCM's own speed on its box with the large mirror sphere and the glossy floor, one thread,
-/// 512 x 512, paths of up to 10 edges, in thousand paths a second, on a machine of our kind.
-double small_vcm(const Row& row) {
-  if (row.scene != "vcm_box" || row.variant != "unpolarized") return 0;
-  if (row.algorithm == "path") return 760;
-  if (row.algorithm == "bdpt") return 265;
-  return row.algorithm == "vcm" ? 150 : 0;
-}
+/// Another renderer's own speed on its scene, one thread, paths of up to 10 edges, in thousand
+/// paths a second, on a machine of our kind.
+struct Anchor {
+  const char *renderer, *scene, *algorithm;
+  double speed;
+};
+constexpr Anchor anchors[] = {
+    // SmallVCM's box with the large mirror sphere and the glossy floor, 512 x 512.
+    {"SmallVCM", "vcm_box", "path", 760},
+    {"SmallVCM", "vcm_box", "bdpt", 265},
+    {"SmallVCM", "vcm_box", "vcm", 150},
+    // SmallUPBP's box with the large sphere of fog, 256 x 256.
+    {"SmallUPBP", "upbp_sphere", "path", 680},
+    {"SmallUPBP", "upbp_sphere", "bdpt", 215},
+};
 
 std::vector<Row> measure(const Arguments& a, const std::string& name,
                          const std::string& algorithm) {
@@ -54,11 +62,12 @@ void print(const Row& row) {
   std::printf("| %s | %s | %s | %.0f | %.3f (%.3f to %.3f) | %zu |", row.scene.c_str(),
               row.algorithm.c_str(), row.variant.c_str(), row.paths_per_second / 1000, row.ratio,
               row.ratio_low, row.ratio_high, row.bytes_per_light_vertex);
-  if (const double anchor = small_vcm(row); anchor > 0)
-    std::printf(" %.2f × SmallVCM's %.0f |\n", row.paths_per_second / 1000 / anchor, anchor);
-  else
-    std::printf(" |\n");
-  std::fflush(stdout);
+  for (const Anchor& anchor : anchors)
+    if (row.variant == "unpolarized" && row.scene == anchor.scene &&
+        row.algorithm == anchor.algorithm)
+      std::printf(" %.2f × %s's %.0f", row.paths_per_second / 1000 / anchor.speed, anchor.renderer,
+                  anchor.speed);
+  std::printf(" |\n");
 }
 
 nlohmann::ordered_json to_json(const Row& row) {

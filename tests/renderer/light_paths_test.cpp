@@ -68,7 +68,7 @@ Mean power(const Scene& scene, int samples = 40000) {
   Mean mean;
   for (int i = 0; i < samples; ++i) {
     EmissionSample e;
-    mean.add(scene.emit(sampler, e) ? static_cast<double>(e.power[0]) : 0.0);
+    mean.add(scene.emit(sampler, false, e) ? static_cast<double>(e.power[0]) : 0.0);
   }
   return mean;
 }
@@ -116,7 +116,7 @@ TEST_CASE("light paths: what starts at a light's surface starts from all of it, 
   const Vec3 middle(1, 2, 3);
   for (int i = 0; i < 40000; ++i) {
     EmissionSample e;
-    REQUIRE(scene.emit(sampler, e));
+    REQUIRE(scene.emit(sampler, false, e));
     const auto c = static_cast<double>(glm::dot(e.direction, e.normal));
     cosine.add(c);
     cosine2.add(c * c);
@@ -140,7 +140,7 @@ TEST_CASE(
     glm::dvec3 mean_direction(0);
     for (int i = 0; i < 40000; ++i) {
       EmissionSample e;
-      REQUIRE(scene.emit(sampler, e));
+      REQUIRE(scene.emit(sampler, false, e));
       const Vec3 way = e.position - scene.geometry.center();
       const float before = glm::dot(way, e.direction);
       along.add(static_cast<double>(before / radius));
@@ -166,7 +166,7 @@ TEST_CASE("light paths: the densities of starting along a ray and of being conne
     int checked = 0;
     for (int i = 0; i < 2000; ++i) {
       EmissionSample e;
-      if (!scene.emit(sampler, e) || e.normal == Vec3(0.0f)) continue;
+      if (!scene.emit(sampler, false, e) || e.normal == Vec3(0.0f)) continue;
       // A point that the path may reach, and the light's point as seen from there.
       const bool from_within = scene.geometry.is_sphere(0) && scene.geometry.sphere(0).flipped;
       const Vec3 to = e.position + (from_within ? 0.3f : 2.0f) * e.direction;

@@ -15,7 +15,7 @@ using renderer::Sampler;
 using renderer::Vec3;
 using Light = malus::Unpolarized<renderer::Rgb>;
 using Map = renderer::PhotonMap<Light>;
-using Paths = renderer::LightPaths<Light>;
+using Paths = renderer::LightPaths<Light, renderer::NoMedia>;
 
 /// Photons of these places in paths of three vertices, and lists of ten paths; `edges` is a
 /// photon's number.
@@ -23,7 +23,7 @@ Map map_of(const std::vector<Vec3>& places, const Vec3& center, float radius) {
   std::vector<Paths> lists(1);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (lists.back().ends.size() == 10) lists.emplace_back();
-    renderer::LightVertex<Light> v{};
+    renderer::LightVertex<Light, renderer::NoMedia> v{};
     v.point.position = places[i];
     v.point.geometric_normal = v.incident = Vec3(0, 0, 1);
     v.edges = static_cast<int>(i);
@@ -32,7 +32,7 @@ Map map_of(const std::vector<Vec3>& places, const Vec3& center, float radius) {
       lists.back().ends.push_back(lists.back().vertices.size());
   }
   Map map;
-  map.build(lists, center, radius);
+  map.build(std::span<const Paths>(lists), false, center, radius);
   return map;
 }
 

@@ -40,6 +40,8 @@ class Bsdf {
   bool is_delta() const { return is_delta_; }
   /// Light passes straight on: shadow rays go through.
   bool is_sheet() const { return is_sheet_; }
+  /// An invisible surface.
+  bool is_nothing() const { return is_sheet_ && !polarizes_; }
   /// Can make polarised light of unpolarised light, or change polarised light but by a factor.
   bool polarizes() const { return polarizes_; }
 

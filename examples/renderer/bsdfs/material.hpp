@@ -22,6 +22,10 @@ struct Material {
 
   /// Part of the light goes straight on, as if there were no surface.
   bool is_masked() const { return !coverage.is_constant() || coverage.constant < 1; }
+  /// From one side or in places at least.
+  bool lets_light_pass() const {
+    return is_masked() || front->is_sheet() || (back && back->is_sheet());
+  }
   /// The chance that a ray meets the surface here.
   float opacity(const Hit& hit) const { return std::clamp(coverage(hit), 0.0f, 1.0f); }
 

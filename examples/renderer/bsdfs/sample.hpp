@@ -34,6 +34,9 @@ struct BsdfSample {
   float reverse_pdf = 0;  ///< of drawing the known direction by the other tracing, from this one
   float eta = 1;          ///< index on the drawn direction's side over that on the known one's
   bool is_delta = false;
+  /// By how much likelier the direction was drawn than pdf says, where a medium knows how what it
+  /// scatters is polarised. The scattering is divided by it; the share of what is carried is not.
+  float likelihood = 1;
 };
 
 /// The two directions of a scattering, one known and one drawn, as light has them.

@@ -139,7 +139,7 @@ bool AreaLight::emit(const Geometry& geometry, const Vec2& place, const Vec2& u,
   const Basis basis(point.normal);
   e.position = point.position;
   e.normal = point.normal;
-  e.reach = geometry.reach(shape_);
+  e.reach = geometry.reach(shape_, point.normal);
   e.direction = glm::normalize(d.x * basis.s + d.y * basis.t + d.z * point.normal);
   e.power = radiance_ * (pi * area_);
   e.cosine_over_pdf = pi * area_;

@@ -14,6 +14,8 @@
 
 namespace renderer {
 
+class Medium;
+
 /// A direction in which a source may be seen from a point, and what would come from there.
 struct LightSample {
   Vec3 direction;      ///< to the light, unit
@@ -38,6 +40,8 @@ struct EmissionSample {
       0;  ///< 0 of delta sources, which nothing finds; cosine 1 of those at infinity
   std::size_t light = 0;  ///< its number in the scene
   bool is_at_infinity = false;
+  const Medium* medium = nullptr;  ///< that the path starts in; null in vacuum
+  bool is_glow = false;            ///< it starts within a medium, not at a light
 };
 
 /// Every point of a shape's front emits the same radiance into its hemisphere.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry.hpp"
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -22,8 +23,9 @@ float intersect_sphere(const Sphere& s, const glm::dvec3& origin, const glm::dve
                        double nearest, double farthest) {
   const glm::dvec3 o = origin - glm::dvec3(s.center);
   const double a = glm::dot(direction, direction), b = glm::dot(o, direction);
-  const glm::dvec3 closest = o - (b / a) * direction;
   const double r = static_cast<double>(s.radius);
+  if (b > 0 && glm::dot(o, o) > r * r * (1 + 1e-9)) return -1;  // behind
+  const glm::dvec3 closest = o - (b / a) * direction;
   const double discriminant = a * (r * r - glm::dot(closest, closest));
   if (discriminant < 0) return -1;
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
@@ -71,13 +73,13 @@ Vec3 local_to(const Sphere& s, const Hit& hit) {
   return glm::transpose(s.rotation) * (hit.position - s.center);
 }
 
-float largest_coordinate(const Vec3& p) {
-  const Vec3 a = glm::abs(p);
-  return std::max(a.x, std::max(a.y, a.z));
+/// A hit is known to some 10 ulp of its shape's coordinates; this is 20 times as far. What counts
+/// is how well it is known across the surface: a level that lies low may be as wide as it will, but
+/// for what its normal is uncertain by.
+float reach_of(const Vec3& largest, const Vec3& normal) {
+  const float widest = std::max(largest.x, std::max(largest.y, largest.z));
+  return 2e-5f * glm::dot(glm::abs(normal), largest) + 5e-7f * widest;
 }
-
-/// A hit is known to some 10 ulp of the shape's coordinates; this is 20 times as far.
-float reach_of(float largest) { return 2e-5f * largest; }
 
 /// In double precision, in which no triangle is too small.
 std::vector<Vec3> face_normals(const TriangleMesh& mesh) {
@@ -108,31 +110,58 @@ void to_embree(const Ray& ray, RTCRay& r) {
 
 struct Geometry::Embree {
   RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  RTCScene all = nullptr;
+  // Parts of it: two others where light may pass some shapes, else all of them and nothing.
+  RTCScene solid = nullptr, passages = nullptr;
+  std::vector<RTCGeometry> geometries;  // until they are committed
+  std::vector<bool> lets_pass;          // by shape
   std::vector<std::unique_ptr<std::variant<TriangleMesh, Sphere>>> shapes;
   std::vector<std::vector<Vec3>> face_normals;  // by shape
-  std::vector<float> reach;                     // by shape: Hit's
+  std::vector<Vec3> largest;                    // by shape: coordinates' magnitudes
 
   Embree() {
     device = rtcNewDevice(nullptr);
     if (!device) throw WorkError("Embree cannot start on this machine");
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    all = new_scene();
   }
   ~Embree() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
+    for (RTCGeometry geometry : geometries) rtcReleaseGeometry(geometry);
+    for (RTCScene scene : {all, solid, passages})
+      if (scene) rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
   }
   Embree(const Embree&) = delete;
   Embree& operator=(const Embree&) = delete;
 
-  std::uint32_t attach(RTCGeometry geometry) {
-    rtcCommitGeometry(geometry);
-    const unsigned id = rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    return id;
+  RTCScene new_scene() const {
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    return scene;
   }
+
+  std::uint32_t add(RTCGeometry geometry) {
+    rtcCommitGeometry(geometry);
+    geometries.push_back(geometry);
+    lets_pass.push_back(false);
+    return rtcAttachGeometry(all, geometry);
+  }
+
+  void commit() {
+    if (std::find(lets_pass.begin(), lets_pass.end(), true) != lets_pass.end()) {
+      solid = new_scene();
+      passages = new_scene();
+      for (unsigned i = 0; i < geometries.size(); ++i)
+        rtcAttachGeometryByID(lets_pass[i] ? passages : solid, geometries[i], i);
+      rtcCommitScene(solid);
+      rtcCommitScene(passages);
+    }
+    rtcCommitScene(all);
+    for (RTCGeometry geometry : geometries) rtcReleaseGeometry(geometry);
+    geometries.clear();
+  }
+
+  bool intersect(RTCScene scene, const Ray& ray, Hit& hit) const;
 };
 
 Geometry::Geometry() : embree_(std::make_unique<Embree>()) {}
@@ -142,9 +171,9 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 std::uint32_t Geometry::add(TriangleMesh mesh) {
   embree_->face_normals.push_back(face_normals(mesh));
-  float largest = 0;
-  for (const Vec3& p : mesh.positions) largest = std::max(largest, largest_coordinate(p));
-  embree_->reach.push_back(reach_of(largest));
+  Vec3 largest(0.0f);
+  for (const Vec3& p : mesh.positions) largest = glm::max(largest, glm::abs(p));
+  embree_->largest.push_back(largest);
   auto& stored = std::get<TriangleMesh>(*embree_->shapes.emplace_back(
       std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -159,12 +188,12 @@ std::uint32_t Geometry::add(TriangleMesh mesh) {
     for (int i = 0; i < 3; ++i) *positions++ = p[i];
   for (const auto& t : stored.triangles)
     for (const auto i : t) *indices++ = i;
-  return embree_->attach(geometry);
+  return embree_->add(geometry);
 }
 
 std::uint32_t Geometry::add(const Sphere& sphere) {
   embree_->face_normals.emplace_back();
-  embree_->reach.push_back(reach_of(largest_coordinate(sphere.center) + sphere.radius));
+  embree_->largest.push_back(glm::abs(sphere.center) + sphere.radius);
   auto& stored = std::get<Sphere>(
       *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(sphere)));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_USER);
@@ -173,44 +202,46 @@ std::uint32_t Geometry::add(const Sphere& sphere) {
   rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
   rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
-  return embree_->attach(geometry);
+  return embree_->add(geometry);
 }
 
+void Geometry::let_light_pass(std::uint32_t shape) { embree_->lets_pass[shape] = true; }
+
 void Geometry::commit() {
-  rtcCommitScene(embree_->scene);
+  embree_->commit();
   if (const RTCError error = rtcGetDeviceError(embree_->device); error != RTC_ERROR_NONE)
     throw WorkError("Embree reports error " + std::to_string(error) + " in building the scene");
   if (embree_->shapes.empty()) return;
   RTCBounds b{};
-  rtcGetSceneBounds(embree_->scene, &b);
+  rtcGetSceneBounds(embree_->all, &b);
   const Vec3 low(b.lower_x, b.lower_y, b.lower_z), high(b.upper_x, b.upper_y, b.upper_z);
   center_ = 0.5f * (low + high);
   radius_ = glm::length(high - center_);
 }
 
-bool Geometry::intersect(const Ray& ray, Hit& hit) const {
+bool Geometry::Embree::intersect(RTCScene scene, const Ray& ray, Hit& hit) const {
   RTCRayHit query;
   to_embree(ray, query.ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if MALUS_EMBREE_MAJOR >= 4
-  rtcIntersect1(embree_->scene, &query);
+  rtcIntersect1(scene, &query);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(embree_->scene, &context, &query);
+  rtcIntersect1(scene, &context, &query);
 #endif
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
   hit.distance = query.ray.tfar;
   hit.shape = query.hit.geomID;
   hit.primitive = query.hit.primID;
-  hit.reach = embree_->reach[hit.shape];
-  const auto& shape = *embree_->shapes[hit.shape];
+  const auto& shape = *shapes[hit.shape];
   if (const auto* s = std::get_if<Sphere>(&shape)) {
     const Vec3 outward = normalized(ray.origin + hit.distance * ray.direction - s->center);
     hit.position = s->center + s->radius * outward;
     hit.normal = hit.geometric_normal = s->flipped ? -outward : outward;
+    hit.reach = reach_of(largest[hit.shape], outward);
     hit.parameter = {};
     return true;
   }
@@ -220,8 +251,9 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   hit.parameter = {u, v};
   const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
   hit.position = w * a + u * b + v * c;
-  hit.geometric_normal = embree_->face_normals[hit.shape][hit.primitive];
+  hit.geometric_normal = face_normals[hit.shape][hit.primitive];
   hit.normal = hit.geometric_normal;
+  hit.reach = reach_of(largest[hit.shape], hit.geometric_normal);
   if (!mesh.normals.empty()) {
     const Vec3 n = w * mesh.normals[t[0]] + u * mesh.normals[t[1]] + v * mesh.normals[t[2]];
     const float length2 = glm::dot(n, n);
@@ -233,15 +265,24 @@ bool Geometry::intersect(const Ray& ray, Hit& hit) const {
   return true;
 }
 
+bool Geometry::intersect(const Ray& ray, Hit& hit) const {
+  return embree_->intersect(embree_->all, ray, hit);
+}
+
+bool Geometry::intersect_passages(const Ray& ray, Hit& hit) const {
+  return embree_->passages && embree_->intersect(embree_->passages, ray, hit);
+}
+
 bool Geometry::occluded(const Ray& ray) const {
+  const RTCScene scene = embree_->solid ? embree_->solid : embree_->all;
   RTCRay query;
   to_embree(ray, query);
 #if MALUS_EMBREE_MAJOR >= 4
-  rtcOccluded1(embree_->scene, &query);
+  rtcOccluded1(scene, &query);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(embree_->scene, &context, &query);
+  rtcOccluded1(scene, &context, &query);
 #endif
   return query.tfar < 0;
 }
@@ -305,10 +346,24 @@ const Sphere& Geometry::sphere(std::uint32_t shape) const {
 const TriangleMesh& Geometry::mesh(std::uint32_t shape) const {
   return std::get<TriangleMesh>(*embree_->shapes[shape]);
 }
+std::array<Vec3, 2> Geometry::bounds(std::uint32_t shape) const {
+  if (is_sphere(shape)) {
+    const Sphere& s = sphere(shape);
+    return {s.center - s.radius, s.center + s.radius};
+  }
+  Vec3 low(infinity), high(-infinity);
+  for (const Vec3& p : mesh(shape).positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return {low, high};
+}
 const Vec3& Geometry::face_normal(std::uint32_t shape, std::size_t triangle) const {
   return embree_->face_normals[shape][triangle];
 }
-float Geometry::reach(std::uint32_t shape) const { return embree_->reach[shape]; }
+float Geometry::reach(std::uint32_t shape, const Vec3& geometric_normal) const {
+  return reach_of(embree_->largest[shape], geometric_normal);
+}
 std::size_t Geometry::shape_count() const { return embree_->shapes.size(); }
 std::size_t Geometry::triangle_count() const {
   std::size_t count = 0;

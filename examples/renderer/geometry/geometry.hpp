@@ -29,12 +29,17 @@ class Geometry {
   /// Adds a shape and returns its number, counted from 0.
   std::uint32_t add(TriangleMesh mesh);
   std::uint32_t add(const Sphere& sphere);
+  /// The shape doesn't always stop light: it stops no shadow rays, which have to ask what it does.
+  void let_light_pass(std::uint32_t shape);
   /// To be called once, after the last shape and before the first ray. Throws WorkError where
   /// Embree can't.
   void commit();
 
   bool intersect(const Ray& ray, Hit& hit) const;
+  /// Whether something is in the way that lets no light pass.
   bool occluded(const Ray& ray) const;
+  /// Like intersect(), of the shapes alone that may let light pass.
+  bool intersect_passages(const Ray& ray, Hit& hit) const;
 
   /// Fills in what a material needs to know of a hit.
   void complete(const HitNeeds& needs, Hit& hit) const;
@@ -50,10 +55,12 @@ class Geometry {
   bool is_sphere(std::uint32_t shape) const;
   const Sphere& sphere(std::uint32_t shape) const;
   const TriangleMesh& mesh(std::uint32_t shape) const;
+  /// A box around a shape: its least and its greatest coordinates.
+  std::array<Vec3, 2> bounds(std::uint32_t shape) const;
   /// Of a mesh's triangle, by its winding.
   const Vec3& face_normal(std::uint32_t shape, std::size_t triangle) const;
-  /// Hit's, of a shape.
-  float reach(std::uint32_t shape) const;
+  /// SurfacePoint's, of a point of a shape.
+  float reach(std::uint32_t shape, const Vec3& geometric_normal) const;
   std::size_t shape_count() const;
   std::size_t triangle_count() const;
   /// A sphere around everything; of radius 0 if there is nothing.

@@ -79,6 +79,11 @@ struct SurfacePoint {
   }
 };
 
+/// A point that no surface is at: rays leave it from where it is.
+inline SurfacePoint point_in_medium(const Vec3& position) {
+  return {position, Vec3(0.0f), Vec3(0.0f)};
+}
+
 /// Where a ray has met a shape.
 struct Hit : SurfacePoint {
   float distance = 0;

@@ -23,40 +23,44 @@ namespace renderer {
 /// What the paths of one iteration share.
 template <class R>
 struct Iteration {
-  float light_paths = 1;          ///< in the whole picture
-  float merge_normalization = 0;  ///< 1/(π r² n), n paths being in the photon map
-  MisFactors factors;
+  float light_paths = 1;  ///< in the whole picture
+  MisFactors factors;     ///< their η are the inverse of what merged light is multiplied by
   const PhotonMap<R>* photons = nullptr;
+  const PhotonMap<R>* media_photons = nullptr;
 };
 
 /// Keep one a thread.
-template <class R>
+template <class R, class M>
 class BidirectionalIntegrator {
  public:
   BidirectionalIntegrator(const Scene& scene, const Techniques& techniques)
       : scene_(scene),
         techniques_(techniques),
+        way_(scene),
         visibility_(scene, counters_),
         lens_(scene, visibility_, counters_),
         subpath_(scene, counters_) {}
 
   /// Traces a light path, connects its vertices to the lens and appends them to `paths`.
-  void trace_light_path(const Iteration<R>& iteration, Sampler& sampler, LightPaths<R>& paths,
+  void trace_light_path(const Iteration<R>& iteration, Sampler& sampler, LightPaths<R, M>& paths,
                         std::vector<Splat>& splats) {
     const MisFactors& f = iteration.factors;
     if (techniques_.lens_alone) ++counters_.samples;
     // The one technique that the heuristic leaves out: camera paths find every light themselves.
     if (techniques_.lens_alone || selects({1, 1}))
       lens_.connect_light(sampler, iteration.light_paths, splats);
-    subpath_.trace(sampler, f, [&](const LightVertex<R>& v) {
+    if constexpr (M::present)
+      if (techniques_.lens_alone) lens_.connect_glow(sampler, iteration.light_paths, splats);
+    subpath_.trace(sampler, f, [&](const LightVertex<R, M>& v) {
       const auto weigh = [&](float camera_pdf, const BsdfValue& value) {
         if (techniques_.lens_alone) return 1.0f;
+        const float merge = f.merge(v.scatterer.is_medium());
         const float light_side =
-            camera_pdf / iteration.light_paths * v.mis.connected(value.pdf_incident, f);
+            camera_pdf / iteration.light_paths * v.mis.connected(value.pdf_incident, merge);
         return weight({v.vertex, 1}, mis_weight(light_side, 0));
       };
-      if (techniques_.connect || techniques_.lens_alone)
-        lens_.connect(v, iteration.light_paths, weigh, splats);
+      if ((techniques_.connect && selects_or_all({v.vertex, 1})) || techniques_.lens_alone)
+        lens_.connect(v, iteration.light_paths, weigh, sampler, splats);
       if (!techniques_.lens_alone) paths.vertices.push_back(v);
     });
     paths.ends.push_back(paths.vertices.size());
@@ -65,11 +69,11 @@ class BidirectionalIntegrator {
   /// What the sensor reads along one camera ray, of a path from there and the vertices of one light
   /// path.
   malus::Measurement<Rgb> measure(const Iteration<R>& iteration, const Ray& ray, Sampler& sampler,
-                                  std::span<const LightVertex<R>> light_path) {
+                                  std::span<const LightVertex<R, M>> light_path) {
     ++counters_.samples;
     iteration_ = &iteration;
     light_path_ = light_path;
-    path_.begin();
+    begin<R, M>(path_, scene_);
     walk(ray, sampler);
     const auto importance = R::importance(Rgb(1.0f), scene_.sensor->frame(ray.direction));
     return R::measure(importance, path_.result());
@@ -84,66 +88,100 @@ class BidirectionalIntegrator {
   struct Vertex {
     Hit hit;
     Vec3 exitant;
-    const Bsdf* bsdf;
+    Scatterer<M> scatterer;
     SubpathMis mis;
-    int edges;   ///< from the lens to here; with sheets, where those count
-    int number;  ///< on the path, the lens being 1
+    float merge;  ///< η of merges here
+    int edges;    ///< from the lens to here; with sheets, where those count
+    int number;   ///< on the path, the lens being 1
+  };
+  /// The vertex before.
+  struct Last {
+    Vec3 position;
+    Scatterer<M> scatterer;
+    bool is_lens;
   };
 
   void walk(Ray ray, Sampler& sampler) {
     const IntegratorSettings& settings = scene_.integrator;
+    CameraSide<R, M> side{path_};
     SubpathMis mis;
     const float lens_pdf = lens_.pdf(ray.direction);
     if (lens_pdf > 0) mis.vcm = iteration_->light_paths / lens_pdf;
-    Vec3 last = scene_.sensor->origin();
+    Last last{scene_.sensor->origin(), {}, true};
     bool is_specular = true;  // the path so far has passed delta distributions alone
     float eta = 1;
+    way_.begin(Way<M>::of_sensor(scene_));
     Vertex v;
     v.number = 2;
     for (v.edges = 1;; ++v.edges) {
       ++counters_.rays;
-      if (!scene_.intersect(ray, v.hit))
-        return deposit_environment(ray.direction, mis, v.edges, v.number, is_specular);
+      side.finds_emission = finds_light(is_specular) && !settings.strategy;
+      const End end = way_.advance(ray, v.hit, side, sampler);
+      if (end == End::nothing) return deposit_environment(v, ray.direction, mis, last, is_specular);
       v.exitant = -ray.direction;
+      v.scatterer = way_.scatterer(end);
       v.mis = mis;
-      const Vec3 way = v.hit.position - last;
-      v.mis.arrive(glm::dot(way, way), std::abs(glm::dot(v.hit.geometric_normal, ray.direction)));
-      deposit_emission(v, last, is_specular);  // from the front, whichever side has a BSDF
-      const bool passes = scene_.lets_pass(v.hit, sampler);
-      v.bsdf = &scene_.shapes[v.hit.shape].material.facing(v.hit, v.exitant);
-      if (passes || v.bsdf->is_sheet()) {
-        if (settings.sheets_count && v.edges == settings.max_depth) return;
-        if (!passes) scatter(v.bsdf->template transmit<R>(v.hit, v.exitant), 1);
-        ray = v.hit.leave(ray.direction);
-        if (!settings.sheets_count) --v.edges;
-        continue;
+      arrive(v, last);
+      if (end == End::surface) {
+        deposit_emission(v, last, is_specular);  // from the front, whichever side has a BSDF
+        way_.meet(v.hit);
+        const bool passes = scene_.lets_pass(v.hit, sampler);
+        const Bsdf& bsdf = scene_.shapes[v.hit.shape].material.facing(v.hit, v.exitant);
+        if (passes || bsdf.is_sheet()) {
+          if (settings.sheets_count && v.edges == settings.max_depth) return;
+          if (!passes && !bsdf.is_nothing())
+            scatter(bsdf.template transmit<R>(v.hit, v.exitant), 1);
+          way_.pass(ray.direction);
+          ray = v.hit.leave(ray.direction);
+          if (!settings.sheets_count) --v.edges;
+          continue;
+        }
+        v.scatterer = Scatterer<M>(bsdf);
       }
-      if (v.edges == settings.max_depth || !v.hit.sides_agree(v.exitant)) return;
-      if (!v.bsdf->is_delta()) {
+      if (v.edges == settings.max_depth || !v.scatterer.sides_agree(v.hit, v.exitant)) return;
+      v.merge = iteration_->factors.merge(v.scatterer.is_medium());
+      if (!v.scatterer.is_delta()) {
         if (techniques_.connect) {
           connect_to_light(v, sampler);
-          for (const LightVertex<R>& light_vertex : light_path_) connect(v, light_vertex);
+          for (const LightVertex<R, M>& light_vertex : light_path_)
+            connect(v, light_vertex, sampler);
         }
         if (techniques_.merge) merge(v);
       }
 
       BsdfSample sample;
-      if (!v.bsdf->sample(v.hit, v.exitant, Tracing::from_camera, sampler, sample)) return;
+      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera,
+                              carried_polarization<R, M>(path_), sampler, sample))
+        return;
       if (techniques_.first_vertex && !sample.is_delta) return;
-      if (!v.hit.sides_agree(sample.direction)) return;
+      if (!v.scatterer.sides_agree(v.hit, sample.direction)) return;
       eta *= sample.eta;
       const float survival =
-          survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta));
+          survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta),
+                          v.scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter(v.bsdf->template weight<R>(v.hit, v.exitant, Tracing::from_camera, sample), survival);
+      scatter(v.scatterer.template weight<R>(v.hit, v.exitant, Tracing::from_camera, sample),
+              survival);
       mis = v.mis;
-      mis.scatter(sample, std::abs(glm::dot(v.hit.geometric_normal, sample.direction)),
-                  iteration_->factors);
+      mis.scatter(sample, v.scatterer.geometric_cosine(v.hit, sample.direction),
+                  iteration_->factors, v.merge);
       is_specular = is_specular && sample.is_delta;
-      last = v.hit.position;
+      last = {v.hit.position, v.scatterer, false};
+      way_.scatter(sample.direction);
       ray = v.hit.leave(sample.direction);
       ++v.number;
     }
+  }
+
+  void arrive(Vertex& v, const Last& last) const {
+    const Vec3 way = v.hit.position - last.position;
+    v.mis.arrive(glm::dot(way, way), v.scatterer.geometric_cosine(v.hit, v.exitant),
+                 arrival_density(v.scatterer, v.hit.position, way_.transmittance()),
+                 reverse_arrival(last));
+  }
+  float reverse_arrival(const Last& last) const {
+    const auto& t = way_.transmittance();
+    return last.is_lens ? arrival_chance(t) : arrival_density(last.scatterer, last.position, t);
   }
 
   void scatter(const typename R::Scattering& weight, float survival) {
@@ -155,34 +193,39 @@ class BidirectionalIntegrator {
   }
 
   /// The path has found a light by itself (s = 0).
-  void deposit_emission(const Vertex& v, const Vec3& last, bool is_specular) {
+  void deposit_emission(const Vertex& v, const Last& last, bool is_specular) {
     if (scene_.shapes[v.hit.shape].light < 0) return;
     if (v.edges == 1 && scene_.integrator.hide_emitters) return;
     const Rgb radiance = scene_.emitted(v.hit, v.exitant);
     if (malus::max_channel(radiance) <= 0) return;
     float camera_side = 0;
     if (v.number > 2 && techniques_.connect) {
-      const Vec3 way = v.hit.position - last;
+      const Vec3 way = v.hit.position - last.position;
       const float cosine = glm::dot(v.hit.geometric_normal, v.exitant);
-      const float direct = scene_.light_pdf(last, v.hit) * cosine / glm::dot(way, way);
+      const float direct = scene_.light_pdf(last.position, v.hit) * cosine / glm::dot(way, way);
       camera_side = direct * v.mis.vcm + scene_.emission_pdf(v.hit, v.exitant) * v.mis.vc;
     }
     deposit_found(radiance, camera_side, v.number, is_specular);
   }
 
-  void deposit_environment(const Vec3& direction, const SubpathMis& mis, int edges, int number,
+  /// `v` tells of the path's length alone.
+  void deposit_environment(const Vertex& v, const Vec3& direction, SubpathMis mis, const Last& last,
                            bool is_specular) {
-    if (scene_.environment < 0 || (edges == 1 && scene_.integrator.hide_emitters)) return;
+    if (scene_.environment < 0 || (v.edges == 1 && scene_.integrator.hide_emitters)) return;
     float camera_side = 0;
-    if (number > 2 && techniques_.connect)
+    if (v.number > 2 && techniques_.connect) {
+      mis.arrive(1, arrival_chance(way_.transmittance()), reverse_arrival(last));
       camera_side = scene_.environment_pdf(direction) * mis.vcm +
                     scene_.environment_emission_pdf(direction) * mis.vc;
-    deposit_found(scene_.environment_radiance(direction), camera_side, number, is_specular);
+    }
+    deposit_found(scene_.environment_radiance(direction), camera_side, v.number, is_specular);
   }
 
+  /// Where photons alone are gathered, they have brought all light but what is seen in mirrors.
+  bool finds_light(bool is_specular) const { return techniques_.connect || is_specular; }
+
   void deposit_found(const Rgb& radiance, float camera_side, int number, bool is_specular) {
-    // Where photons alone are gathered, they have brought all other light.
-    if (!techniques_.connect && !is_specular) return;
+    if (!finds_light(is_specular)) return;
     const float w = weight({0, number}, mis_weight(0, camera_side));
     if (w > 0) path_.deposit(R::unpolarized(radiance * w));
   }
@@ -191,81 +234,95 @@ class BidirectionalIntegrator {
   void connect_to_light(const Vertex& v, Sampler& sampler) {
     LightSample light;
     if (!scene_.sample_light(v.hit.position, sampler, light)) return;
-    if (!selects_or_all({1, v.number}) || !v.hit.sides_agree(light.direction)) return;
-    const BsdfValue value = v.bsdf->value(v.hit, light.direction, v.exitant);
+    if (!selects_or_all({1, v.number})) return;
+    if (!v.scatterer.sides_agree(v.hit, light.direction)) return;
+    const BsdfValue value = v.scatterer.value(v.hit, light.direction, v.exitant);
     if (malus::max_channel(value.m00) <= 0) return;
-
-    const float light_side = light.is_delta ? 0.0f : value.pdf_incident / light.pdf;
-    const float camera_side = light.emission_ratio *
-                              std::abs(glm::dot(v.hit.geometric_normal, light.direction)) *
-                              v.mis.connected(value.pdf_exitant, iteration_->factors);
-    const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
-    if (!visibility_.open(v.hit.leave_for(light.position, light.direction), light.position,
-                          sheets_left(v.edges + 1)))
+    if (!visibility_.open(v.hit.leave_for(light.position, light.direction), v.hit.position,
+                          light.position, sheets_left(v.edges + 1), way_.towards(light.direction),
+                          sampler))
       return;
-    const float cosine = std::abs(glm::dot(v.hit.normal, light.direction));
-    const auto f = v.bsdf->template scattering<R>(v.hit, light.direction, v.exitant, value);
+
+    const auto& t = visibility_.transmittance();
+    const float light_side =
+        light.is_delta ? 0.0f : value.pdf_incident * arrival_chance(t) / light.pdf;
+    const float camera_side = light.emission_ratio *
+                              v.scatterer.geometric_cosine(v.hit, light.direction) *
+                              arrival_density(v.scatterer, v.hit.position, t) *
+                              v.mis.connected(value.pdf_exitant, v.merge);
+    const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
+    const float cosine = v.scatterer.cosine(v.hit, light.direction);
+    const auto f = v.scatterer.template scattering<R>(v.hit, light.direction, v.exitant, value);
     const auto arriving = visibility_.through(R::unpolarized(light.radiance));
     path_.deposit(R::scatter(f, arriving) * (cosine * w));
   }
 
   /// Connects two vertices, z of the camera's path and y of the light's.
-  void connect(const Vertex& z, const LightVertex<R>& y) {
+  void connect(const Vertex& z, const LightVertex<R, M>& y, Sampler& sampler) {
     const int sheets = sheets_left(z.edges + 1 + y.edges);
     if (sheets < 0 || !selects_or_all({y.vertex, z.number})) return;
     const Vec3 way = y.point.position - z.hit.position;
     const float distance2 = glm::dot(way, way);
     if (!(distance2 > 0)) return;
     const Vec3 to_light = way / std::sqrt(distance2), to_camera = -to_light;
-    if (!z.hit.sides_agree(to_light) || !y.point.sides_agree(to_camera)) return;
-    const BsdfValue at_z = z.bsdf->value(z.hit, to_light, z.exitant);
+    if (!z.scatterer.sides_agree(z.hit, to_light)) return;
+    if (!y.scatterer.sides_agree(y.point, to_camera)) return;
+    const BsdfValue at_z = z.scatterer.value(z.hit, to_light, z.exitant);
     if (malus::max_channel(at_z.m00) <= 0) return;
-    const BsdfValue at_y = y.bsdf->value(y.point, y.incident, to_camera);
+    const BsdfValue at_y = y.scatterer.value(y.point, y.incident, to_camera);
     if (malus::max_channel(at_y.m00) <= 0) return;
+    if (!visibility_.open(z.hit.leave_for(y.point, to_light), z.hit.position, y.point.position,
+                          sheets, way_.towards(to_light), sampler))
+      return;
 
     const MisFactors& f = iteration_->factors;
-    const float per_area_y = std::abs(glm::dot(y.point.geometric_normal, to_camera)) / distance2;
-    const float per_area_z = std::abs(glm::dot(z.hit.geometric_normal, to_light)) / distance2;
-    const float light_side = at_z.pdf_incident * per_area_y * y.mis.connected(at_y.pdf_incident, f);
-    const float camera_side = at_y.pdf_exitant * per_area_z * z.mis.connected(at_z.pdf_exitant, f);
+    const auto& t = visibility_.transmittance();
+    const float per_area_y = y.scatterer.geometric_cosine(y.point, to_camera) / distance2;
+    const float per_area_z = z.scatterer.geometric_cosine(z.hit, to_light) / distance2;
+    const float light_side = at_z.pdf_incident * per_area_y *
+                             arrival_density(y.scatterer, y.point.position, t) *
+                             y.mis.connected(at_y.pdf_incident, f.merge(y.scatterer.is_medium()));
+    const float camera_side = at_y.pdf_exitant * per_area_z *
+                              arrival_density(z.scatterer, z.hit.position, t) *
+                              z.mis.connected(at_z.pdf_exitant, z.merge);
     const float w = weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
-    if (!visibility_.open(z.hit.leave_for(y.point, to_light), y.point.position, sheets)) return;
-
-    const float geometry = std::abs(glm::dot(z.hit.normal, to_light)) * per_area_y *
-                           incident_correction(y.point, y.incident);
-    const auto f_y = y.bsdf->template scattering<R>(y.point, y.incident, to_camera, at_y);
-    const auto f_z = z.bsdf->template scattering<R>(z.hit, to_light, z.exitant, at_z);
+    const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
+    const auto f_y = y.scatterer.template scattering<R>(y.point, y.incident, to_camera, at_y);
+    const auto f_z = z.scatterer.template scattering<R>(z.hit, to_light, z.exitant, at_z);
     const auto arriving = visibility_.through(R::scatter(f_y, y.light));
     path_.deposit(R::scatter(f_z, arriving) * (geometry * w));
   }
 
   /// Density estimation: the photons near the vertex, each scattered from where it came.
   void merge(const Vertex& v) {
-    const IntegratorSettings& settings = scene_.integrator;
-    const MisFactors& factors = iteration_->factors;
-    const float normalization = iteration_->merge_normalization / opacity(v.hit);
-    iteration_->photons->each_near(v.hit.position, [&](const Photon<R>& photon) {
-      if (settings.max_depth >= 0 && photon.edges + v.edges > settings.max_depth) return;
+    const bool in_medium = v.scatterer.is_medium();
+    const PhotonMap<R>& photons = in_medium ? *iteration_->media_photons : *iteration_->photons;
+    const float normalization = 1 / (v.merge * opacity(v));
+    photons.each_near(v.hit.position, [&](const Photon<R>& photon) {
+      if (scene_.integrator.max_depth >= 0 && photon.edges + v.edges > scene_.integrator.max_depth)
+        return;
       // A photon on the other side, or on a wall across a corner, is not here.
-      if (glm::dot(photon.geometric_normal, v.hit.geometric_normal) < 0.5f) return;
-      if (!v.hit.sides_agree(photon.incident)) return;
-      const BsdfValue value = v.bsdf->value(v.hit, photon.incident, v.exitant);
+      if (!in_medium && glm::dot(photon.geometric_normal, v.hit.geometric_normal) < 0.5f) return;
+      if (!v.scatterer.sides_agree(v.hit, photon.incident)) return;
+      const BsdfValue value = v.scatterer.value(v.hit, photon.incident, v.exitant);
       if (malus::max_channel(value.m00) <= 0) return;
       ++counters_.merges;
-      float w = normalization * incident_correction(v.hit, photon.incident);
-      if (!techniques_.first_vertex)
-        w *= mis_weight(photon.vcm * factors.vc + photon.vm * value.pdf_incident,
-                        v.mis.merged(value.pdf_exitant, factors));
-      const auto f = v.bsdf->template scattering<R>(v.hit, photon.incident, v.exitant, value);
+      float w = normalization * incident_correction(v.scatterer, v.hit, photon.incident);
+      if (!techniques_.first_vertex) {
+        const MisFactors& f = iteration_->factors;
+        w *= mis_weight(photon.mis.merged(value.pdf_incident, f, v.merge),
+                        v.mis.merged(value.pdf_exitant, f, v.merge));
+      }
+      const auto f = v.scatterer.template scattering<R>(v.hit, photon.incident, v.exitant, value);
       path_.deposit(R::scatter(f, photon.light) * w);
     });
   }
 
   /// The chance that a path stops at a mask: photons and the camera's path have both drawn it.
-  float opacity(const Hit& hit) const {
-    if (!scene_.has_masks) return 1;
-    const Material& material = scene_.shapes[hit.shape].material;
-    return material.is_masked() ? material.opacity(hit) : 1.0f;
+  float opacity(const Vertex& v) const {
+    if (!scene_.has_masks || v.scatterer.is_medium()) return 1;
+    const Material& material = scene_.shapes[v.hit.shape].material;
+    return material.is_masked() ? material.opacity(v.hit) : 1.0f;
   }
 
   /// A connection's weight: the heuristic's, or, where one strategy is asked for alone, 1 or 0.
@@ -289,12 +346,13 @@ class BidirectionalIntegrator {
   const Scene& scene_;
   const Techniques techniques_;
   Counters counters_;
-  Visibility<R> visibility_;
-  Lens<R> lens_;
-  LightSubpath<R> subpath_;
-  typename R::CameraPath path_;
+  Way<M> way_;
+  Visibility<R, M> visibility_;
+  Lens<R, M> lens_;
+  LightSubpath<R, M> subpath_;
+  CameraPath<R, M> path_;
   const Iteration<R>* iteration_ = nullptr;
-  std::span<const LightVertex<R>> light_path_;
+  std::span<const LightVertex<R, M>> light_path_;
 };
 
 }  // namespace renderer

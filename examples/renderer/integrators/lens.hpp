@@ -12,10 +12,10 @@
 namespace renderer {
 
 /// Keep one a thread.
-template <class R>
+template <class R, class M>
 class Lens {
  public:
-  Lens(const Scene& scene, Visibility<R>& visibility, Counters& counters)
+  Lens(const Scene& scene, Visibility<R, M>& visibility, Counters& counters)
       : scene_(scene), visibility_(visibility), counters_(counters) {}
 
   /// The density by solid angle of camera rays, one to each pixel's area; 0 of a single ray, which
@@ -27,25 +27,27 @@ class Lens {
   }
 
   /// Connects a vertex of one of `paths` light paths. `weigh` makes a weight of the density, by
-  /// area at the vertex, of the camera's rays, and of the BSDF's value; where it is 0, nothing is
-  /// traced.
+  /// area or volume at the vertex, of the camera's rays arriving there, and of the BSDF's value.
   template <class Weigh>
-  void connect(const LightVertex<R>& v, float paths, Weigh&& weigh, std::vector<Splat>& splats) {
+  void connect(const LightVertex<R, M>& v, float paths, Weigh&& weigh, Sampler& sampler,
+               std::vector<Splat>& splats) {
     Sensor::Projection seen;
     if (!scene_.sensor->project(v.point.position, seen) || !on_film(seen.film)) return;
     if (seen.distance < seen.near || seen.distance > seen.far) return;
     const Vec3 exitant = -seen.direction;
-    if (!v.point.sides_agree(exitant)) return;
-    const BsdfValue value = v.bsdf->value(v.point, v.incident, exitant);
+    if (!v.scatterer.sides_agree(v.point, exitant)) return;
+    const BsdfValue value = v.scatterer.value(v.point, v.incident, exitant);
     if (malus::max_channel(value.m00) <= 0) return;
+    if (!open(seen, sheets_left(v.edges), sampler)) return;
 
-    const float cosine = std::abs(glm::dot(v.point.geometric_normal, exitant));
+    const float cosine = v.scatterer.geometric_cosine(v.point, exitant);
     const float camera_pdf = pdf(seen.direction) * cosine / (seen.distance * seen.distance);
-    const float weight = weigh(camera_pdf, value);
-    if (!(weight > 0) || !open(seen, sheets_left(v.edges))) return;
-
-    const float w = weight * incident_correction(v.point, v.incident) * camera_pdf / paths;
-    const auto f = v.bsdf->template scattering<R>(v.point, v.incident, exitant, value);
+    const float arrival =
+        arrival_density(v.scatterer, v.point.position, visibility_.transmittance());
+    const float weight = weigh(camera_pdf * arrival, value);
+    if (!(weight > 0)) return;
+    const float w = weight * v.correction() * camera_pdf / paths;
+    const auto f = v.scatterer.template scattering<R>(v.point, v.incident, exitant, value);
     splat(seen, w, R::scatter(f, v.light), splats);
   }
 
@@ -60,8 +62,21 @@ class Lens {
     Sensor::Projection seen;
     if (!scene_.sensor->project(light.position, seen) || !on_film(seen.film)) return;
     if (seen.distance < seen.near || (seen.distance > seen.far && !light.is_at_infinity)) return;
-    if (!open(seen, sheets_left(0)) || (hides && visibility_.passed() == 0)) return;
+    if (!open(seen, sheets_left(0), sampler) || (hides && visibility_.passed() == 0)) return;
     splat(seen, pdf(seen.direction) / (light.pdf * paths), R::unpolarized(light.radiance), splats);
+  }
+
+  /// Connects a point of a medium that emits: what a camera ray through it would see of it there.
+  void connect_glow(Sampler& sampler, float paths, std::vector<Splat>& splats) {
+    Vec3 position;
+    Rgb emission;
+    if (!scene_.sample_glow(sampler, position, emission)) return;
+    Sensor::Projection seen;
+    if (!scene_.sensor->project(position, seen) || !on_film(seen.film)) return;
+    if (seen.distance < seen.near || seen.distance > seen.far) return;
+    if (!open(seen, sheets_left(0), sampler)) return;
+    const float w = pdf(seen.direction) / (seen.distance * seen.distance * paths);
+    splat(seen, w, R::unpolarized(emission), splats);
   }
 
  private:
@@ -80,11 +95,12 @@ class Lens {
     return s.max_depth - edges - 1;
   }
 
-  bool open(const Sensor::Projection& seen, int most_sheets) {
+  bool open(const Sensor::Projection& seen, int most_sheets, Sampler& sampler) {
     const Vec3 origin = scene_.sensor->origin() + seen.near * seen.direction;
     const Vec3 target = scene_.sensor->origin() + seen.distance * seen.direction;
     const float length = (std::min(seen.distance, seen.far) - seen.near) * (1 - 2e-4f);
-    return visibility_.open({origin, seen.direction, length}, target, most_sheets);
+    return visibility_.open({origin, seen.direction, length}, origin, target, most_sheets,
+                            Way<M>::of_sensor(scene_), sampler);
   }
 
   /// W_e · L: the importance that the lens emits along the ray, and the light that comes along it.
@@ -99,7 +115,7 @@ class Lens {
   }
 
   const Scene& scene_;
-  Visibility<R>& visibility_;
+  Visibility<R, M>& visibility_;
   Counters& counters_;
 };
 

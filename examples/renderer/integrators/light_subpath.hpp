@@ -9,32 +9,43 @@
 #include <span>
 #include <vector>
 
-#include "../scene/scene.hpp"
 #include "counters.hpp"
 #include "mis.hpp"
 #include "roulette.hpp"
+#include "way.hpp"
 
 namespace renderer {
 
-/// Light that has arrived at a surface, and has not been scattered there.
-template <class R>
+/// A surface's share of a BSDF with another normal than its own: light's density on it is that
+/// across the real surface (Veach 1997, section 5.3.2).
+template <class M>
+float incident_correction(const Scatterer<M>& s, const SurfacePoint& p, const Vec3& incident) {
+  return s.is_medium() ? 1.0f : s.cosine(p, incident) / s.geometric_cosine(p, incident);
+}
+
+/// Light that has arrived at a surface, or at a point in a medium, and has not been scattered
+/// there.
+template <class R, class M>
 struct LightVertex {
   SurfacePoint point;
   Vec3 incident;            ///< to where the light comes from
-  const Bsdf* bsdf;         ///< of the side it comes to; not a delta distribution
+  Scatterer<M> scatterer;   ///< of the side it comes to; not a delta distribution
   typename R::Light light;  ///< as it left the vertex before: the path's power
   SubpathMis mis;
   int edges = 0;   ///< of the path so far; with sheets, where those count
   int vertex = 0;  ///< its number on the path, the light itself being 1
+
+  /// The share of a scattering here of power by area, as light paths carry it.
+  float correction() const { return incident_correction(scatterer, point, incident); }
 };
 
 /// The vertices of several paths, one path's after the other's.
-template <class R>
+template <class R, class M>
 struct LightPaths {
-  std::vector<LightVertex<R>> vertices;
+  std::vector<LightVertex<R, M>> vertices;
   std::vector<std::size_t> ends;  ///< by path, one past its last vertex
 
-  std::span<const LightVertex<R>> path(std::size_t i) const {
+  std::span<const LightVertex<R, M>> path(std::size_t i) const {
     const std::size_t begin = i > 0 ? ends[i - 1] : 0;
     return {vertices.data() + begin, ends[i] - begin};
   }
@@ -44,29 +55,26 @@ struct LightPaths {
   }
 };
 
-/// A surface's share of a BSDF with another normal than its own: light's density on it is that
-/// across the real surface (Veach 1997, section 5.3.2).
-inline float incident_correction(const SurfacePoint& p, const Vec3& incident) {
-  return std::abs(glm::dot(p.normal, incident) / glm::dot(p.geometric_normal, incident));
-}
-
 /// Keep one a thread.
-template <class R>
+template <class R, class M>
 class LightSubpath {
  public:
-  LightSubpath(const Scene& scene, Counters& counters) : scene_(scene), counters_(counters) {}
+  LightSubpath(const Scene& scene, Counters& counters)
+      : scene_(scene), counters_(counters), way_(scene) {}
 
   /// Walks one path from a light and shows every vertex that something can be connected to.
+  /// Where it isn't connected to camera paths, which find the light of media by themselves, it may
+  /// start in a medium.
   template <class Visit>
   void trace(Sampler& sampler, const MisFactors& factors, Visit&& visit) {
     EmissionSample emission;
-    if (!scene_.emit(sampler, emission)) return;
+    if (!scene_.emit(sampler, factors.connection == 0, emission)) return;
     typename R::Light light = R::unpolarized(emission.power);
     SubpathMis mis;
-    mis.vc = emission.cosine_over_pdf;
-    mis.vm = mis.vc * factors.vc;
+    mis.vc = factors.connection * emission.cosine_over_pdf;
+    way_.begin(Way<M>::of(emission));
     Ray ray = start(emission);
-    Vec3 last = emission.position;
+    Last last{emission.position, {}};
     Rgb share(1.0f);  // of the power, that unpolarised light would have kept
     const IntegratorSettings& settings = scene_.integrator;
 
@@ -75,44 +83,64 @@ class LightSubpath {
       if (settings.max_depth >= 0 && edges >= settings.max_depth) return;
       Hit hit;
       ++counters_.rays;
-      if (!scene_.intersect(ray, hit)) return;
+      const End end = way_.advance(ray, hit, LightSide<R>{light, share}, sampler);
+      if (end == End::nothing) return;
       const Vec3 incident = -ray.direction;
-      const bool passes = scene_.lets_pass(hit, sampler);
-      const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, incident);
-      if (passes || bsdf.is_sheet()) {
-        if (!passes) light = R::scatter(bsdf.template transmit<R>(hit, ray.direction), light);
-        ray = hit.leave(ray.direction);
-        if (!settings.sheets_count) --edges;
-        continue;
+      Scatterer<M> scatterer = way_.scatterer(end);
+      if (end == End::surface) {
+        way_.meet(hit);
+        const bool passes = scene_.lets_pass(hit, sampler);
+        const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, incident);
+        if (passes || bsdf.is_sheet()) {
+          if (!passes) light = R::scatter(bsdf.template transmit<R>(hit, ray.direction), light);
+          way_.pass(ray.direction);
+          ray = hit.leave(ray.direction);
+          if (!settings.sheets_count) --edges;
+          continue;
+        }
+        scatterer = Scatterer<M>(bsdf);
       }
-      if (!hit.sides_agree(incident)) return;
-      arrive(mis, emission, last, hit, ray.direction, vertex == 2);
-      if (!bsdf.is_delta()) {
+      if (!scatterer.sides_agree(hit, incident)) return;
+      arrive(mis, emission, last, hit, scatterer, ray.direction, vertex == 2);
+      if (!scatterer.is_delta()) {
         ++counters_.light_vertices;
-        visit(LightVertex<R>{hit, incident, &bsdf, light, mis, edges, vertex});
+        visit(LightVertex<R, M>{hit, incident, scatterer, light, mis, edges, vertex});
       }
 
       BsdfSample sample;
-      if (!bsdf.sample(hit, incident, Tracing::from_light, sampler, sample)) return;
+      const auto polarization = carried_polarization<R, M>(light, scene_);
+      if (!scatterer.sample(hit, incident, Tracing::from_light, polarization, sampler, sample))
+        return;
       const Vec3& exitant = sample.direction;
-      if (!hit.sides_agree(exitant)) return;
-      const float cosine = std::abs(glm::dot(hit.geometric_normal, exitant));
+      if (!scatterer.sides_agree(hit, exitant)) return;
+      const float cosine = scatterer.geometric_cosine(hit, exitant);
       const float correction =
-          incident_correction(hit, incident) * cosine / std::abs(glm::dot(hit.normal, exitant));
+          incident_correction(scatterer, hit, incident) * cosine / scatterer.cosine(hit, exitant);
       share *= sample.weight * correction;
-      const float survival = survival_chance(settings, edges, share);
+      const float survival = survival_chance(settings, edges, share, scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       share *= Rgb(1 / survival);
-      const auto weight = bsdf.template weight<R>(hit, incident, Tracing::from_light, sample);
+      const auto weight = scatterer.template weight<R>(hit, incident, Tracing::from_light, sample);
       light = R::scatter(weight, light) * (correction / survival);
-      mis.scatter(sample, cosine, factors);
-      last = hit.position;
+      if constexpr (M::present && R::polarized)
+        if (scene_.draws_by_polarization)
+          share = malus::map_channels([](float s0, float p) { return p > 0 ? s0 / p : 0.0f; },
+                                      light.intensity(), emission.power);
+      mis.scatter(sample, cosine, factors, factors.merge(scatterer.is_medium()));
+      last = {hit.position, scatterer};
+      way_.scatter(exitant);
       ray = hit.leave(exitant);
       ++vertex;
     }
   }
 
  private:
+  /// The vertex before.
+  struct Last {
+    Vec3 position;
+    Scatterer<M> scatterer;
+  };
+
   static Ray start(const EmissionSample& e) {
     if (e.normal == Vec3(0.0f)) return {e.position, e.direction};
     SurfacePoint surface;
@@ -122,21 +150,24 @@ class LightSubpath {
     return surface.leave(e.direction);
   }
 
-  void arrive(SubpathMis& mis, const EmissionSample& emission, const Vec3& last, const Hit& hit,
-              const Vec3& direction, bool is_first) const {
-    const float cosine = std::abs(glm::dot(hit.geometric_normal, direction));
+  void arrive(SubpathMis& mis, const EmissionSample& emission, const Last& last, const Hit& hit,
+              const Scatterer<M>& scatterer, const Vec3& direction, bool is_first) const {
+    const float cosine = scatterer.geometric_cosine(hit, direction);
+    const float arrival = arrival_density(scatterer, hit.position, way_.transmittance());
     if (is_first) {
       // Instead of the light's point, its emission, the first vertex might have been connected to.
       mis.vcm = 1 / scene_.emission_ratio(emission, hit.position);
-      mis.per_cosine(cosine);
+      mis.arrive(cosine, arrival, arrival_chance(way_.transmittance()));
     } else {
-      const Vec3 way = hit.position - last;
-      mis.arrive(glm::dot(way, way), cosine);
+      const Vec3 way = hit.position - last.position;
+      mis.arrive(glm::dot(way, way), cosine, arrival,
+                 arrival_density(last.scatterer, last.position, way_.transmittance()));
     }
   }
 
   const Scene& scene_;
   Counters& counters_;
+  Way<M> way_;
 };
 
 }  // namespace renderer

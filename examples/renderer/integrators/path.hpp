@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Path tracing with next-event estimation and multiple importance sampling (Veach 1997), written
-// once for both families of radiometry: a camera path is an accumulator that light is deposited in
-// and scattered along. Directions, roulette and MIS weights know m00 alone; a Mueller matrix is
-// made of what is not shadowed.
+// once for both families of radiometry, with media and without: a camera path is an accumulator
+// that light is deposited in and scattered along. Directions, roulette and MIS weights know m00
+// alone; a Mueller matrix is made of what is not shadowed.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,16 @@
 namespace renderer {
 
 /// Keep one a thread.
-template <class R>
+template <class R, class M>
 class PathIntegrator {
  public:
-  explicit PathIntegrator(const Scene& scene) : scene_(scene), visibility_(scene, counters_) {}
+  explicit PathIntegrator(const Scene& scene)
+      : scene_(scene), way_(scene), visibility_(scene, counters_) {}
 
   /// What the sensor reads of light that arrives along one camera ray.
   malus::Measurement<Rgb> measure(const Ray& ray, Sampler& sampler) {
     ++counters_.samples;
-    path_.begin();
+    begin<R, M>(path_, scene_);
     walk(ray, sampler);
     const auto importance = R::importance(Rgb(1.0f), scene_.sensor->frame(ray.direction));
     return R::measure(importance, path_.result());
@@ -45,37 +46,51 @@ class PathIntegrator {
     LastVertex last{ray.origin};
     float eta = 1;  // product of relative indices: roulette must not take refraction for absorption
     const int max_depth = scene_.integrator.max_depth;
+    way_.begin(Way<M>::of_sensor(scene_));
     for (int depth = 0;;) {
       Hit hit;
       ++counters_.rays;
-      if (!scene_.intersect(ray, hit)) return deposit_environment(ray.direction, last, depth);
+      const End end = way_.advance(ray, hit, CameraSide<R, M>{path_}, sampler);
+      if (end == End::nothing) return deposit_environment(ray.direction, last, depth);
       const Vec3 exitant = -ray.direction;
-      deposit_emission(hit, exitant, last, depth);
-
-      const bool passes = scene_.lets_pass(hit, sampler);
-      const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, exitant);
-      const bool is_passage = passes || bsdf.is_sheet();
+      Scatterer<M> scatterer = way_.scatterer(end);
+      bool is_passage = false;
+      const Bsdf* sheet = nullptr;
+      if (end == End::surface) {
+        deposit_emission(hit, exitant, last, depth);
+        way_.meet(hit);
+        const bool passes = scene_.lets_pass(hit, sampler);
+        const Bsdf& bsdf = scene_.shapes[hit.shape].material.facing(hit, exitant);
+        scatterer = Scatterer<M>(bsdf);
+        is_passage = passes || bsdf.is_sheet();
+        if (!passes && !bsdf.is_nothing()) sheet = &bsdf;
+      }
       const bool counts = scene_.integrator.sheets_count || !is_passage;
       if (counts && depth + 1 == max_depth) return;
       if (is_passage) {
-        if (!passes) scatter(bsdf.template transmit<R>(hit, exitant), 1);
+        if (sheet) scatter(sheet->template transmit<R>(hit, exitant), 1);
         if (counts) ++depth;
+        way_.pass(ray.direction);
         ray = hit.leave(ray.direction);
         continue;
       }
-      if (!hit.sides_agree(exitant)) return;
-      if (!bsdf.is_delta()) deposit_direct_light(hit, exitant, bsdf, depth, sampler);
+      if (!scatterer.sides_agree(hit, exitant)) return;
+      if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
       BsdfSample sample;
-      if (!bsdf.sample(hit, exitant, Tracing::from_camera, sampler, sample)) return;
-      if (!hit.sides_agree(sample.direction)) return;
+      if (!scatterer.sample(hit, exitant, Tracing::from_camera, carried_polarization<R, M>(path_),
+                            sampler, sample))
+        return;
+      if (!scatterer.sides_agree(hit, sample.direction)) return;
       eta *= sample.eta;
-      const float survival = survival_chance(scene_.integrator, depth + 1,
-                                             path_.throughput() * sample.weight * (eta * eta));
+      const float survival =
+          survival_chance(scene_.integrator, depth + 1,
+                          path_.throughput() * sample.weight * (eta * eta), scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter(bsdf.template weight<R>(hit, exitant, Tracing::from_camera, sample), survival);
+      scatter(scatterer.template weight<R>(hit, exitant, Tracing::from_camera, sample), survival);
       last = {hit.position, sample.pdf, sample.is_delta};
       ++depth;
+      way_.scatter(sample.direction);
       ray = hit.leave(sample.direction);
     }
   }
@@ -90,8 +105,10 @@ class PathIntegrator {
 
   /// The balance heuristic's weight of a direction drawn by the BSDF that next-event estimation
   /// draws with density `light_pdf`.
-  static float bsdf_share(const LastVertex& last, float light_pdf) {
-    return last.is_delta ? 1.0f : last.pdf / (last.pdf + light_pdf);
+  float bsdf_share(const LastVertex& last, float light_pdf) const {
+    if (last.is_delta) return 1;
+    const float pdf = last.pdf * arrival_chance(way_.transmittance());
+    return pdf / (pdf + light_pdf);
   }
 
   void deposit_environment(const Vec3& direction, const LastVertex& last, int depth) {
@@ -110,21 +127,23 @@ class PathIntegrator {
     path_.deposit(R::unpolarized(radiance * share));
   }
 
-  void deposit_direct_light(const Hit& hit, const Vec3& exitant, const Bsdf& bsdf, int depth,
-                            Sampler& sampler) {
+  void deposit_direct_light(const Hit& hit, const Vec3& exitant, const Scatterer<M>& scatterer,
+                            int depth, Sampler& sampler) {
     LightSample light;
     if (!scene_.sample_light(hit.position, sampler, light)) return;
-    if (!hit.sides_agree(light.direction)) return;
-    const BsdfValue value = bsdf.value(hit, light.direction, exitant);
+    if (!scatterer.sides_agree(hit, light.direction)) return;
+    const BsdfValue value = scatterer.value(hit, light.direction, exitant);
     if (malus::max_channel(value.m00) <= 0) return;
-    if (!visibility_.open(hit.leave_for(light.position, light.direction), light.position,
-                          sheets_left(depth)))
+    if (!visibility_.open(hit.leave_for(light.position, light.direction), hit.position,
+                          light.position, sheets_left(depth), way_.towards(light.direction),
+                          sampler))
       return;
 
     // The balance heuristic's share over the light's density.
-    const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : value.pdf_incident));
-    const float cosine = std::abs(glm::dot(hit.normal, light.direction));
-    const auto f = bsdf.template scattering<R>(hit, light.direction, exitant, value);
+    const float found = value.pdf_incident * arrival_chance(visibility_.transmittance());
+    const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : found));
+    const float cosine = scatterer.cosine(hit, light.direction);
+    const auto f = scatterer.template scattering<R>(hit, light.direction, exitant, value);
     const auto arriving = visibility_.through(R::unpolarized(light.radiance));
     path_.deposit(R::scatter(f, arriving) * (cosine * share));
   }
@@ -137,9 +156,10 @@ class PathIntegrator {
   }
 
   const Scene& scene_;
-  typename R::CameraPath path_;
+  CameraPath<R, M> path_;
   Counters counters_;
-  Visibility<R> visibility_;
+  Way<M> way_;
+  Visibility<R, M> visibility_;
 };
 
 }  // namespace renderer

@@ -16,8 +16,8 @@ namespace renderer {
 /// vector that left the vertex before.
 template <class R>
 struct Photon {
-  Vec3 position, incident, geometric_normal;
-  float vcm, vm;  ///< SubpathMis's
+  Vec3 position, incident, geometric_normal;  ///< no normal in a medium
+  SubpathMis mis;
   int edges;
   typename R::Light light;
 };
@@ -25,28 +25,34 @@ struct Photon {
 template <class R>
 class PhotonMap {
  public:
-  /// Takes the vertices of all paths. Equal input gives an equal map. The radius is above 0, and
-  /// not less than a millionth of the photons' farthest distance from `center`.
-  void build(std::span<const LightPaths<R>> paths, const Vec3& center, float radius) {
+  /// Takes the vertices of all paths, those on surfaces or those in media. Equal input gives an
+  /// equal map. The radius is above 0, and not less than a millionth of the photons' farthest
+  /// distance from `center`.
+  template <class M>
+  void build(std::span<const LightPaths<R, M>> paths, bool in_media, const Vec3& center,
+             float radius) {
     radius_ = radius;
     center_ = center;
     inverse_cell_ = 1 / (2 * radius);
     std::size_t count = 0;
-    for (const auto& p : paths) count += p.vertices.size();
+    const auto each = [&](auto&& visit) {
+      for (const auto& p : paths)
+        for (const auto& v : p.vertices)
+          if (v.scatterer.is_medium() == in_media) visit(v);
+    };
+    each([&](const auto&) { ++count; });
     const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(count, 1024));
     mask_ = static_cast<std::uint32_t>(buckets - 1);
     starts_.assign(buckets + 1, 0);
     photons_.resize(count);
 
-    for (const auto& p : paths)
-      for (const auto& v : p.vertices) ++starts_[bucket(cell(v.point.position)) + 1];
+    each([&](const auto& v) { ++starts_[bucket(cell(v.point.position)) + 1]; });
     for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
     // Filling moves each bucket's start to its end, which is the next one's start.
-    for (const auto& p : paths)
-      for (const auto& v : p.vertices)
-        photons_[starts_[bucket(cell(v.point.position))]++] = {
-            v.point.position, v.incident, v.point.geometric_normal, v.mis.vcm, v.mis.vm,
-            v.edges,          v.light};
+    each([&](const auto& v) {
+      photons_[starts_[bucket(cell(v.point.position))]++] = {
+          v.point.position, v.incident, v.point.geometric_normal, v.mis, v.edges, v.light};
+    });
     for (std::size_t b = buckets; b > 0; --b) starts_[b] = starts_[b - 1];
     starts_[0] = 0;
   }

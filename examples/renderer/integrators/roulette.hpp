@@ -8,9 +8,13 @@
 
 namespace renderer {
 
-/// The chance with which a path of so many edges goes on, `share` of its light being left.
-inline float survival_chance(const IntegratorSettings& settings, int edges, const Rgb& share) {
-  return edges >= settings.rr_depth ? std::min(malus::max_channel(share), 0.95f) : 1.0f;
+/// The chance with which a path of so many edges goes on, `share` of its light being left. Between
+/// surfaces it must end some day, however white they are. In a medium that absorbs little it is
+/// scattered so often that it must hardly ever end by chance.
+inline float survival_chance(const IntegratorSettings& settings, int edges, const Rgb& share,
+                             bool in_medium = false) {
+  if (edges < settings.rr_depth) return 1;
+  return std::min(malus::max_channel(share), in_medium ? 0.999f : 0.95f);
 }
 
 }  // namespace renderer

@@ -16,7 +16,7 @@
 
 namespace renderer {
 
-template <class R>
+template <class R, class M>
 class BidirectionalPass {
  public:
   static constexpr bool needs_whole_iterations = true;
@@ -67,7 +67,7 @@ class BidirectionalPass {
 
   LightVertexMemory light_vertices() const {
     if (techniques_.lens_alone) return {};
-    LightVertexMemory memory{sizeof(LightVertex<R>), techniques_.merge ? sizeof(Photon<R>) : 0,
+    LightVertexMemory memory{sizeof(LightVertex<R, M>), techniques_.merge ? sizeof(Photon<R>) : 0,
                              peak_bytes_};
     for (const auto& worker : integrators_) memory.peak += bytes(worker.paths);
     return memory;
@@ -79,12 +79,13 @@ class BidirectionalPass {
   /// What a thread keeps.
   struct Worker {
     Worker(const Scene& scene, const Techniques& techniques) : integrator(scene, techniques) {}
-    BidirectionalIntegrator<R> integrator;
-    LightPaths<R> paths;  // of the sample at hand, where no more are needed
+    BidirectionalIntegrator<R, M> integrator;
+    LightPaths<R, M> paths;  // of the sample at hand, where no more are needed
   };
 
-  static std::size_t bytes(const LightPaths<R>& p) {
-    return p.vertices.capacity() * sizeof(LightVertex<R>) + p.ends.capacity() * sizeof(p.ends[0]);
+  static std::size_t bytes(const LightPaths<R, M>& p) {
+    return p.vertices.capacity() * sizeof(LightVertex<R, M>) +
+           p.ends.capacity() * sizeof(p.ends[0]);
   }
 
   /// A picture of few pixels needs more photons than pixels.
@@ -121,7 +122,10 @@ class BidirectionalPass {
     if (techniques_.merge) {
       if (!each_task([&](const Task& t, Worker& w) { trace_photons(iteration, t, w); }))
         return false;
-      photons_.build(paths_, scene_.geometry.center(), radius(first));
+      const std::span<const LightPaths<R, M>> paths(paths_);
+      photons_.build(paths, false, scene_.geometry.center(), radius(first));
+      if constexpr (M::present)
+        media_photons_.build(paths, true, scene_.geometry.center(), media_radius(first));
       note_memory();
     }
     if (!each_task([&](const Task& t, Worker& w) { render_tile(iteration, t, w); })) return false;
@@ -140,23 +144,33 @@ class BidirectionalPass {
     const auto pixels =
         static_cast<std::uint64_t>(film_.width()) * static_cast<std::uint64_t>(film_.height());
     it.light_paths = static_cast<float>(pixels * paths_per_pixel_);
+    it.factors.connection = techniques_.connect ? 1 : 0;
     if (!techniques_.merge) return it;
     std::uint64_t photon_paths = 0;
     for (std::size_t tile = first_tile; tile < last_tile; ++tile)
       photon_paths += tiles_.pixels(tile) * paths_per_pixel_;
-    const float r = radius(first);
-    it.factors.vm = pi * r * r * static_cast<float>(photon_paths);
-    it.factors.vc = techniques_.connect ? 1 / it.factors.vm : 0;
-    it.merge_normalization = 1 / it.factors.vm;
+    const auto n = static_cast<float>(photon_paths);
+    const float r = radius(first), r_media = media_radius(first);
+    it.factors.surface_merge = pi * r * r * n;
+    it.factors.media_merge = 4 / 3.0f * pi * r_media * r_media * r_media * n;
     it.photons = &photons_;
+    it.media_photons = &media_photons_;
     return it;
   }
 
-  /// Knaus & Zwicker 2011: a radius that shrinks slowly enough for the variance to vanish too.
+  /// Knaus & Zwicker 2011: radii that shrink slowly enough for the variance to vanish too, of disks
+  /// on surfaces and of balls in media.
   float radius(std::uint64_t iteration) const {
     const IntegratorSettings& s = scene_.integrator;
-    const float shrunk = std::pow(static_cast<float>(iteration + 1), 0.5f * (s.radius_alpha - 1));
-    return s.initial_radius * scene_.geometry.radius() * shrunk;
+    return s.initial_radius * scene_.geometry.radius() * shrunk(iteration, 2);
+  }
+  float media_radius(std::uint64_t iteration) const {
+    const IntegratorSettings& s = scene_.integrator;
+    return s.initial_media_radius * scene_.geometry.radius() * shrunk(iteration, 3);
+  }
+  float shrunk(std::uint64_t iteration, int dimensions) const {
+    const float power = (scene_.integrator.radius_alpha - 1) / static_cast<float>(dimensions);
+    return std::pow(static_cast<float>(iteration + 1), power);
   }
 
   /// Other random numbers than the camera's paths have.
@@ -165,7 +179,7 @@ class BidirectionalPass {
   }
 
   void trace_photons(const Iteration<R>& iteration, const Task& task, Worker& worker) {
-    LightPaths<R>& paths = paths_[task.number];
+    LightPaths<R, M>& paths = paths_[task.number];
     paths.clear();
     SplatList& list = begin_list(task);
     tiles_.each_pixel(task.tile, [&](int, int, std::size_t pixel) {
@@ -181,7 +195,7 @@ class BidirectionalPass {
     if (!techniques_.merge) begin_list(task);
     std::size_t path = 0;
     tiles_.each_pixel(task.tile, [&](int x, int y, std::size_t pixel) {
-      std::span<const LightVertex<R>> light_path;
+      std::span<const LightVertex<R, M>> light_path;
       if (techniques_.merge) {
         light_path = paths_[task.number].path(path);
         path += paths_per_pixel_;
@@ -211,7 +225,7 @@ class BidirectionalPass {
   }
 
   void note_memory() {
-    std::size_t sum = photons_.bytes();
+    std::size_t sum = photons_.bytes() + media_photons_.bytes();
     for (const auto& paths : paths_) sum += bytes(paths);
     peak_bytes_ = std::max(peak_bytes_, sum);
   }
@@ -224,9 +238,9 @@ class BidirectionalPass {
   std::size_t layers_;
   Exposure exposure_;
   std::uint64_t paths_per_pixel_;
-  std::vector<SplatList> splats_;     // by task
-  std::vector<LightPaths<R>> paths_;  // by task, where all are needed at once
-  PhotonMap<R> photons_;
+  std::vector<SplatList> splats_;         // by task
+  std::vector<LightPaths<R, M>> paths_;   // by task, where all are needed at once
+  PhotonMap<R> photons_, media_photons_;  // on surfaces, and in media
   std::size_t peak_bytes_ = 0;
   tbb::enumerable_thread_specific<Worker> integrators_;
 };

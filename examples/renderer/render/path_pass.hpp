@@ -14,14 +14,14 @@
 
 namespace renderer {
 
-template <class R>
+template <class R, class M>
 class PathPass {
  public:
   static constexpr bool needs_whole_iterations = false;
 
   PathPass(const Scene& scene, const RenderOptions& options, Film& film)
       : scene_(scene), seed_(options.seed), film_(film), tiles_(scene.film), integrators_([&scene] {
-          return PathIntegrator<R>(scene);
+          return PathIntegrator<R, M>(scene);
         }) {}
 
   /// Sample numbers [first, last) of every pixel. False if it was stopped before its end; what is
@@ -80,7 +80,7 @@ class PathPass {
   std::uint64_t seed_;
   Film& film_;
   Tiles tiles_;
-  tbb::enumerable_thread_specific<PathIntegrator<R>> integrators_;
+  tbb::enumerable_thread_specific<PathIntegrator<R, M>> integrators_;
 };
 
 }  // namespace renderer

@@ -6,6 +6,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "build_medium.hpp"
 #include "build_texture.hpp"
 #include "object.hpp"
 #include "scene.hpp"
@@ -16,6 +17,9 @@ namespace renderer {
 Scene build_scene(const Object& root);
 
 // the factories
+
+/// A number, or a material by its name.
+double index_of_refraction(const Object& object, std::string_view name, std::string_view otherwise);
 
 /// The kind of a <bsdf> that is one; "twosided" and the like are of the material.
 Bsdf::Kind make_bsdf_kind(const Object& bsdf, TextureFactory& textures);
@@ -54,11 +58,14 @@ AreaLight make_area_light(const Object& emitter, const Geometry& geometry, std::
 /// A <emitter> of the scene itself.
 Emitter make_light(const Object& emitter);
 
-void build_sensor(const Object& sensor, Scene& scene);
+void build_sensor(const Object& sensor, MediumFactory& media, Scene& scene);
 void build_integrator(const Object& integrator, Scene& scene);
 
 /// By its name in a scene file or on the command line; the other settings stay.
 void set_integrator(IntegratorSettings& settings, const std::string& name);
+
+/// A warning with the object's line.
+void warn(Scene& scene, const Object& object, const std::string& message);
 
 /// "x" is not a bsdf that is known here; known are a, b, c.
 [[noreturn]] void fail_unknown_plugin(const Object& object,

@@ -28,6 +28,8 @@ constexpr std::array<std::pair<std::string_view, double>, 20> named_indices{{
     {"bk7", 1.5046},      {"diamond", 2.419},
 }};
 
+}  // namespace
+
 double index_of_refraction(const Object& o, std::string_view name, std::string_view otherwise) {
   if (o.has(name) && o.kind_of(name) != ValueKind::string) {
     const double index = o.number(name);
@@ -42,6 +44,8 @@ double index_of_refraction(const Object& o, std::string_view name, std::string_v
     list += (list.empty() ? "" : ", ") + std::string(entry.first);
   o.fail(name, "unknown material \"" + material + "\"; give a number or one of " + list);
 }
+
+namespace {
 
 Bsdf::Kind make_diffuse(const Object& o, TextureFactory& textures) {
   return Diffuse{textures.color(o, "reflectance", 0.5)};

@@ -5,11 +5,18 @@ namespace renderer {
 
 namespace {
 
+float read_radius(const Object& o, std::string_view name, float otherwise) {
+  const auto radius = static_cast<float>(o.positive(name, static_cast<double>(otherwise)));
+  if (radius > 1 || radius < 1e-5f)
+    o.fail(name, std::string(name) + " is a part of the scene's radius, from 0.00001 to 1");
+  return radius;
+}
+
 void read_merging(const Object& o, IntegratorSettings& settings) {
-  settings.initial_radius = static_cast<float>(o.positive("initial_radius", 0.003));
-  if (settings.initial_radius > 1 || settings.initial_radius < 1e-5f)
-    o.fail("initial_radius",
-           "initial_radius is a part of the scene's radius, from 0.00001 to 1 (default 0.003)");
+  const IntegratorSettings defaults;
+  settings.initial_radius = read_radius(o, "initial_radius", defaults.initial_radius);
+  settings.initial_media_radius =
+      read_radius(o, "initial_media_radius", defaults.initial_media_radius);
   settings.radius_alpha = static_cast<float>(o.number("radius_alpha", 0.75));
   if (!(settings.radius_alpha > 0 && settings.radius_alpha <= 1))
     o.fail("radius_alpha",
@@ -19,9 +26,11 @@ void read_merging(const Object& o, IntegratorSettings& settings) {
 }  // namespace
 
 void set_integrator(IntegratorSettings& settings, const std::string& name) {
-  // Media need no other integrator: Mitsuba's name for one with them differs in what counts.
-  settings.sheets_count = name != "volpath";
-  settings.name = name == "volpath" ? "path" : name;
+  // Media need no other integrator: Mitsuba's names for one with them differ in what counts. That
+  // stays as a file has it when another integrator is asked for, so that pictures can be compared.
+  const bool is_volpath = name == "volpath" || name == "volpathmis";
+  if (is_volpath) settings.sheets_count = false;
+  settings.name = is_volpath ? "path" : name;
 }
 
 void build_integrator(const Object& o, Scene& scene) {
@@ -33,8 +42,8 @@ void build_integrator(const Object& o, Scene& scene) {
     return build_integrator(*inner, scene);
   }
   const auto techniques = Techniques::named(o.type());
-  if (!techniques && o.type() != "path" && o.type() != "volpath")
-    fail_unknown_plugin(o, {"bdpt", "bpm", "path", "ppm", "ptracer", "vcm", "volpath",
+  if (!techniques && o.type() != "path" && o.type() != "volpath" && o.type() != "volpathmis")
+    fail_unknown_plugin(o, {"bdpt", "bpm", "path", "ppm", "ptracer", "vcm", "volpath", "volpathmis",
                             "and \"stokes\" around them"});
   IntegratorSettings& settings = scene.integrator;
   set_integrator(settings, o.type());

@@ -131,7 +131,7 @@ Sensor make_radiancemeter(const Object& o) {
 
 }  // namespace
 
-void build_sensor(const Object& o, Scene& scene) {
+void build_sensor(const Object& o, MediumFactory& media, Scene& scene) {
   const auto film = o.only_child("film");
   if (o.type() != "perspective" && o.type() != "radiancemeter")
     fail_unknown_plugin(o, {"perspective", "radiancemeter"});
@@ -148,6 +148,7 @@ void build_sensor(const Object& o, Scene& scene) {
     scene.sensor = make_perspective(o, scene.film);
   }
   if (const auto sampler = o.only_child("sampler")) read_sampler(*sampler, scene);
+  scene.sensor_medium = media.make(o.only_child("medium"));
   o.reject_unknown();
 }
 

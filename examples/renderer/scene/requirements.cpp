@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "requirements.hpp"
 
+#include <algorithm>
+
 #include "../core/warp.hpp"
 #include "../io/input_error.hpp"
 
@@ -26,11 +28,102 @@ bool camera_is_inside_glass(const Scene& scene) {
   return inside > rays * 3 / 4;
 }
 
+/// What the surfaces around something say which medium it is in: those that bound media have sides.
+class Surroundings {
+ public:
+  explicit Surroundings(const Scene& scene) : scene_(scene) {}
+
+  /// As far as the first boundary: on this side of it is the medium that the ray starts in.
+  void look(Ray ray) {
+    constexpr int most_surfaces = 64;
+    Hit hit;
+    for (int i = 0; i < most_surfaces && scene_.intersect(ray, hit); ++i) {
+      const Shape& shape = scene_.shapes[hit.shape];
+      if (shape.is_boundary)
+        return note(shape.beyond(glm::dot(hit.geometric_normal, ray.direction) < 0, nullptr));
+      ray = hit.leave(ray.direction);
+    }
+  }
+
+  /// All boundaries agree, and on another medium than this.
+  bool contradict(const Medium* declared) const {
+    return found_any_ && agrees_ && medium_ != declared;
+  }
+  const Medium* medium() const { return medium_; }
+
+ private:
+  void note(const Medium* medium) {
+    if (!found_any_) medium_ = medium;
+    agrees_ &= medium == medium_;
+    found_any_ = true;
+  }
+
+  const Scene& scene_;
+  const Medium* medium_ = nullptr;
+  bool found_any_ = false, agrees_ = true;
+};
+
+Surroundings around_sensor(const Scene& scene, Sampler& sampler) {
+  Surroundings surroundings(scene);
+  for (int i = 0; i < 64; ++i)
+    surroundings.look({scene.sensor->origin(), square_to_sphere(sampler.next_2d())});
+  return surroundings;
+}
+
+Surroundings around_light(const Scene& scene, std::size_t light, Sampler& sampler) {
+  Surroundings surroundings(scene);
+  for (int i = 0; i < 64; ++i) {
+    const Vec2 place = sampler.next_2d(), u = sampler.next_2d();
+    EmissionSample e;
+    if (const auto* area = std::get_if<AreaLight>(&scene.lights[light]))
+      area->emit(scene.geometry, place, u, e);
+    else if (const auto* point = std::get_if<PointLight>(&scene.lights[light]))
+      point->emit(u, e);
+    else
+      return surroundings;
+    surroundings.look({e.position + e.reach * e.normal, e.direction});
+  }
+  return surroundings;
+}
+
+/// Media are declared for shapes' sides, the sensor and lights: where these contradict each other,
+/// something has hardly been meant.
+void check_declared_media(Scene& scene, const std::string& file) {
+  Sampler sampler(0, 0, 0);
+  const auto name = [&](const Medium* m) { return m ? scene.medium_names.at(m) : "vacuum"; };
+  const auto check = [&](const Surroundings& around, const Medium* declared,
+                         const std::string& what, const std::string& element) {
+    if (around.contradict(declared))
+      scene.warnings.push_back(file + ": " + what + " is in " + name(declared) + " by what its " +
+                               element + " says, but in " + name(around.medium()) +
+                               " by what all surfaces say that bound media around it");
+  };
+  check(around_sensor(scene, sampler), scene.sensor_medium, "the sensor", "<sensor>");
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Location& place = scene.light_places[i];
+    check(around_light(scene, i, sampler), scene.light_media[i],
+          "the light of " + place.file + ":" + std::to_string(place.line), "<emitter>");
+  }
+}
+
+/// Where light paths alone bring light, they have to start in the media that emit.
+void check_glows(const Scene& scene, const std::string& file) {
+  for (const Medium& medium : scene.media) {
+    const auto is_it = [&](const Glow& glow) { return glow.medium == &medium; };
+    if (medium.emits() && std::none_of(scene.glows.begin(), scene.glows.end(), is_it))
+      throw InputError(file + ": the medium " + scene.medium_names.at(&medium) +
+                       " emits light and is no shape's interior: it has no end, and no light path "
+                       "of \"" +
+                       scene.integrator.name +
+                       "\" could start there; use \"path\", \"bdpt\" or \"vcm\"");
+  }
+}
+
 }  // namespace
 
 void check_requirements(Scene& scene, const std::string& file) {
   const std::string& name = scene.integrator.name;
-  if (scene.lights.empty()) {
+  if (scene.lights.empty() && scene.glows.empty()) {
     const std::string lack =
         file + ": the scene has no light: no <emitter>, of its own or of a <shape>";
     if (name == "path")
@@ -38,9 +131,11 @@ void check_requirements(Scene& scene, const std::string& file) {
     else
       throw InputError(lack + ", from which the integrator \"" + name + "\" could trace paths");
   }
+  if (scene.has_media()) check_declared_media(scene, file);
   if (scene.integrator.strategy && name != "bdpt")
     throw InputError("--strategy is for the integrator \"bdpt\", not for \"" + name + "\"");
   const auto techniques = Techniques::named(name);
+  if (techniques && !techniques->connect) check_glows(scene, file);
   if (!techniques || !techniques->lens_alone) return;
   const std::string others = "; use \"path\", \"bdpt\" or \"vcm\"";
   if (scene.sensor->kind() == Sensor::Kind::radiancemeter)

@@ -21,7 +21,7 @@ constexpr std::size_t deepest_include = 15;  // Mitsuba's limit
 const std::vector<std::string>& object_tags() {
   static const std::vector<std::string> tags = {"bsdf",   "emitter", "film",    "integrator",
                                                 "medium", "phase",   "rfilter", "sampler",
-                                                "sensor", "shape",   "texture"};
+                                                "sensor", "shape",   "texture", "volume"};
   return tags;
 }
 
