@@ -8,7 +8,7 @@
 # PROGRAMS is the folder that malus-render and malus-image are in (build/examples/examples, which examples/run.sh
 # builds, unless given), OUTPUT where the pictures go (docs/pictures). DRAFT divides all numbers of samples, to see
 # quickly whether everything works. Needs gnuplot for the plot and ImageMagick to put pictures side by side and reduce
-# the number of colours; on two cores it takes a quarter of an hour.
+# the number of colours; on two cores it takes ten minutes.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 programs=${1:-build/examples/examples}
@@ -41,18 +41,18 @@ reduce "$out/box_overlay.png"
 # Figure 1 of the paper: intensity, and below it the same in grey with the degree of polarisation in red, doubled.
 # Figure 2: path tracing on the left, vcm on the right, the difference between them, each as S3 S1 over S2 S0; S1 to S3
 # and the difference four times as bright as they are.
-for scene in diffuse glossy glass; do
+for scene in diffuse glossy glass glass_medium; do
   render "$scenes/$scene.xml" -D resolution=256 -o "$work/${scene}_vcm.exr" --integrator vcm --spp "$(spp 128)"
   show "$work/${scene}_vcm.exr" --show intensity -o "$work/${scene}_intensity.png"
   show "$work/${scene}_vcm.exr" --show overlay --scale 2 -o "$work/${scene}_overlay.png"
 done
-for scene in glossy glass; do
+for scene in glossy glass glass_medium; do
   render "$scenes/$scene.xml" -D resolution=256 -o "$work/${scene}_path.exr" --integrator path --spp "$(spp 512)"
   show --compare "$work/${scene}_path.exr" "$work/${scene}_vcm.exr" --scale 4 -o "$work/${scene}_compare.png"
 done
-convert \( "$work"/{diffuse,glossy,glass}_intensity.png +append \) \
-  \( "$work"/{diffuse,glossy,glass}_overlay.png +append \) -append +repage "$out/figure1.png"
-convert "$work"/{glossy,glass}_compare.png -append +repage -filter box -resize 1024x "$out/figure2.png"
+convert \( "$work"/{diffuse,glossy,glass,glass_medium}_intensity.png +append \) \
+  \( "$work"/{diffuse,glossy,glass,glass_medium}_overlay.png +append \) -append +repage "$out/figure1.png"
+convert "$work"/{glossy,glass,glass_medium}_compare.png -append +repage -filter box -resize 1024x "$out/figure2.png"
 reduce "$out/figure1.png"
 reduce "$out/figure2.png"
 
@@ -62,6 +62,47 @@ show "$work/bathroom.exr" --show intensity -o "$out/bathroom_intensity.png"
 show "$work/bathroom.exr" --show overlay --scale 2 -o "$out/bathroom_overlay.png"
 reduce "$out/bathroom_intensity.png"
 reduce "$out/bathroom_overlay.png"
+
+# The same room full of steam.
+render "$scenes/bathroom_medium.xml" -D width=480 -D height=320 -o "$work/steam.exr" --integrator vcm --spp "$(spp 32)"
+show "$work/steam.exr" --show intensity -o "$out/bathroom_medium_intensity.png"
+show "$work/steam.exr" --show overlay --scale 2 -o "$out/bathroom_medium_overlay.png"
+reduce "$out/bathroom_medium_intensity.png"
+reduce "$out/bathroom_medium_overlay.png"
+
+# The sky: intensity, degree and angle of linear polarisation.
+render "$scenes/sky_slab.xml" -D resolution=256 -o "$work/sky.exr" --spp "$(spp 256)"
+show "$work/sky.exr" --show intensity --exposure 1.5 -o "$work/sky_intensity.png"
+show "$work/sky.exr" --show dolp -o "$work/sky_dolp.png"
+show "$work/sky.exr" --show aolp --scale 2 -o "$work/sky_aolp.png"
+convert "$work"/sky_{intensity,dolp,aolp}.png +append +repage "$out/sky_slab.png"
+reduce "$out/sky_slab.png"
+
+# Fog and smoke: intensity, and in grey with the degree of polarisation.
+render "$scenes/fog_lamp.xml" -D resolution=384 -D height=240 -o "$work/fog.exr" --integrator bdpt --spp "$(spp 64)"
+show "$work/fog.exr" --show intensity --exposure 1.5 -o "$work/fog_intensity.png"
+show "$work/fog.exr" --show overlay --exposure 1.5 -o "$work/fog_overlay.png"
+render "$scenes/cloud.xml" -D resolution=384 -D height=240 -o "$work/cloud.exr" --spp "$(spp 256)"
+show "$work/cloud.exr" --show intensity -o "$work/cloud_intensity.png"
+show "$work/cloud.exr" --show overlay -o "$work/cloud_overlay.png"
+for scene in fog cloud; do
+  convert "$work/$scene"_{intensity,overlay}.png +append +repage "$out/$scene.png"
+  reduce "$out/$scene.png"
+done
+
+# Sugar, as the front polarizer turns, and stress, between crossed and parallel polarizers.
+for analyzer in 0 45 90 135; do
+  render "$scenes/sugar_jar.xml" -D resolution=256 -D "analyzer=$analyzer" -o "$work/sugar.exr" --spp "$(spp 128)"
+  show "$work/sugar.exr" --show intensity -o "$work/sugar_$analyzer.png"
+done
+convert "$work"/sugar_{0,45,90,135}.png +append +repage "$out/sugar_jar.png"
+reduce "$out/sugar_jar.png"
+for analyzer in 90 0; do
+  render "$scenes/photoelastic.xml" -D resolution=384 -D "analyzer=$analyzer" -o "$work/stress.exr" --spp "$(spp 128)"
+  show "$work/stress.exr" --show intensity -o "$work/stress_$analyzer.png"
+done
+convert "$work"/stress_{90,0}.png +append +repage "$out/photoelastic.png"
+reduce "$out/photoelastic.png"
 
 # Three sheets, and the same picture through a filter that was chosen after rendering.
 render "$scenes/crossed_polarizers.xml" -o "$work/crossed.exr" --spp "$(spp 64)"

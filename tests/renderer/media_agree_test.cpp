@@ -148,16 +148,16 @@ TEST_CASE("media agree: each strategy alone gives all light of its length") {
   for (const int k : {2, 3}) {
     scene.integrator.strategy.reset();
     scene.integrator.max_depth = k;
-    Picture expected = picture(scene, "path", 1024, 1);
+    Picture expected = picture(scene, "path", 512, 1);
     scene.integrator.max_depth = k - 1;
-    expected -= picture(scene, "path", 1024, 1);
+    expected -= picture(scene, "path", 512, 1);
     scene.integrator.max_depth = k;
     for (int s = 0; s <= k; ++s) {
       CAPTURE(k);
       CAPTURE(s);
       scene.integrator.strategy = Strategy{s, k + 1 - s};
       // Connections within a medium have no bound: the distance may be any.
-      const std::uint64_t samples = s > 1 && s < k ? 2048 : 1024;
+      const std::uint64_t samples = s > 1 && s < k ? 1024 : 512;
       CHECK_AGREE_BUT_FOR(picture(scene, "bdpt", samples, ++seed), expected,
                           (agreement::Tolerance{.cells = 3}));
     }

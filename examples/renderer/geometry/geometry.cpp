@@ -25,11 +25,12 @@ float intersect_sphere(const Sphere& s, const glm::dvec3& origin, const glm::dve
   const double a = glm::dot(direction, direction), b = glm::dot(o, direction);
   const double r = static_cast<double>(s.radius);
   if (b > 0 && glm::dot(o, o) > r * r * (1 + 1e-9)) return -1;  // behind
-  const glm::dvec3 closest = o - (b / a) * direction;
+  const double inverse = 1 / a;
+  const glm::dvec3 closest = o - (b * inverse) * direction;
   const double discriminant = a * (r * r - glm::dot(closest, closest));
   if (discriminant < 0) return -1;
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-  double t0 = q / a, t1 = q != 0 ? (glm::dot(o, o) - r * r) / q : t0;
+  double t0 = q * inverse, t1 = q != 0 ? (glm::dot(o, o) - r * r) / q : t0;
   if (t0 > t1) std::swap(t0, t1);
   if (t0 > nearest && t0 < farthest) return static_cast<float>(t0);
   if (t1 > nearest && t1 < farthest) return static_cast<float>(t1);
@@ -81,15 +82,22 @@ float reach_of(const Vec3& largest, const Vec3& normal) {
   return 2e-5f * glm::dot(glm::abs(normal), largest) + 5e-7f * widest;
 }
 
+/// Of a triangle: its normal by its winding, and how far off it rays start.
+struct Face {
+  Vec3 normal;
+  float reach;
+};
+
 /// In double precision, in which no triangle is too small.
-std::vector<Vec3> face_normals(const TriangleMesh& mesh) {
-  std::vector<Vec3> normals;
-  normals.reserve(mesh.triangles.size());
+std::vector<Face> faces_of(const TriangleMesh& mesh, const Vec3& largest) {
+  std::vector<Face> faces;
+  faces.reserve(mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+    const Vec3 normal(glm::normalize(glm::cross(b - a, c - a)));
+    faces.push_back({normal, reach_of(largest, normal)});
   }
-  return normals;
+  return faces;
 }
 
 void to_embree(const Ray& ray, RTCRay& r) {
@@ -116,8 +124,8 @@ struct Geometry::Embree {
   std::vector<RTCGeometry> geometries;  // until they are committed
   std::vector<bool> lets_pass;          // by shape
   std::vector<std::unique_ptr<std::variant<TriangleMesh, Sphere>>> shapes;
-  std::vector<std::vector<Vec3>> face_normals;  // by shape
-  std::vector<Vec3> largest;                    // by shape: coordinates' magnitudes
+  std::vector<std::vector<Face>> faces;  // by shape; none of spheres
+  std::vector<Vec3> largest;             // by shape: coordinates' magnitudes
 
   Embree() {
     device = rtcNewDevice(nullptr);
@@ -170,10 +178,10 @@ Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 std::uint32_t Geometry::add(TriangleMesh mesh) {
-  embree_->face_normals.push_back(face_normals(mesh));
   Vec3 largest(0.0f);
   for (const Vec3& p : mesh.positions) largest = glm::max(largest, glm::abs(p));
   embree_->largest.push_back(largest);
+  embree_->faces.push_back(faces_of(mesh, largest));
   auto& stored = std::get<TriangleMesh>(*embree_->shapes.emplace_back(
       std::make_unique<std::variant<TriangleMesh, Sphere>>(std::move(mesh))));
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -192,7 +200,7 @@ std::uint32_t Geometry::add(TriangleMesh mesh) {
 }
 
 std::uint32_t Geometry::add(const Sphere& sphere) {
-  embree_->face_normals.emplace_back();
+  embree_->faces.emplace_back();
   embree_->largest.push_back(glm::abs(sphere.center) + sphere.radius);
   auto& stored = std::get<Sphere>(
       *embree_->shapes.emplace_back(std::make_unique<std::variant<TriangleMesh, Sphere>>(sphere)));
@@ -251,9 +259,9 @@ bool Geometry::Embree::intersect(RTCScene scene, const Ray& ray, Hit& hit) const
   hit.parameter = {u, v};
   const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
   hit.position = w * a + u * b + v * c;
-  hit.geometric_normal = face_normals[hit.shape][hit.primitive];
-  hit.normal = hit.geometric_normal;
-  hit.reach = reach_of(largest[hit.shape], hit.geometric_normal);
+  const Face& face = faces[hit.shape][hit.primitive];
+  hit.normal = hit.geometric_normal = face.normal;
+  hit.reach = face.reach;
   if (!mesh.normals.empty()) {
     const Vec3 n = w * mesh.normals[t[0]] + u * mesh.normals[t[1]] + v * mesh.normals[t[2]];
     const float length2 = glm::dot(n, n);
@@ -359,7 +367,7 @@ std::array<Vec3, 2> Geometry::bounds(std::uint32_t shape) const {
   return {low, high};
 }
 const Vec3& Geometry::face_normal(std::uint32_t shape, std::size_t triangle) const {
-  return embree_->face_normals[shape][triangle];
+  return embree_->faces[shape][triangle].normal;
 }
 float Geometry::reach(std::uint32_t shape, const Vec3& geometric_normal) const {
   return reach_of(embree_->largest[shape], geometric_normal);

@@ -15,6 +15,7 @@
 
 #include "lens.hpp"
 #include "photon_map.hpp"
+#include "reading.hpp"
 #include "roulette.hpp"
 #include "techniques.hpp"
 
@@ -75,8 +76,7 @@ class BidirectionalIntegrator {
     light_path_ = light_path;
     begin<R, M>(path_, scene_);
     walk(ray, sampler);
-    const auto importance = R::importance(Rgb(1.0f), scene_.sensor->frame(ray.direction));
-    return R::measure(importance, path_.result());
+    return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
 
   /// The last reading was not finite, and is not used.

@@ -7,6 +7,7 @@
 
 #include "../film/exposure.hpp"
 #include "light_subpath.hpp"
+#include "reading.hpp"
 #include "visibility.hpp"
 
 namespace renderer {
@@ -106,8 +107,8 @@ class Lens {
   /// W_e · L: the importance that the lens emits along the ray, and the light that comes along it.
   void splat(const Sensor::Projection& seen, float w, const typename R::Light& light,
              std::vector<Splat>& splats) {
-    const auto importance = R::importance(Rgb(w), scene_.sensor->frame(seen.direction));
-    const auto reading = R::measure(importance, visibility_.through(light));
+    const auto reading =
+        read<R>(*scene_.sensor, seen.direction, visibility_.through(light), Rgb(w));
     if (is_finite(reading))
       splats.push_back({seen.film * Vec2(scene_.film.width, scene_.film.height), reading});
     else

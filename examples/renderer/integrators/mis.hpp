@@ -11,6 +11,8 @@
 // on surfaces and in media.
 #pragma once
 
+#include <algorithm>
+
 #include "../bsdfs/sample.hpp"
 
 namespace renderer {
@@ -35,9 +37,11 @@ struct SubpathMis {
   }
   /// From infinity, or where vcm knows of the distance.
   void arrive(float cosine, float arrival, float reverse_arrival) {
+    // Finite, so that what a density of 0 multiplies is 0.
+    constexpr float most = 1e30f;
     const float inverse = 1 / (cosine * arrival);
-    vcm *= inverse;
-    vc *= inverse * reverse_arrival;
+    vcm = std::min(vcm * inverse, most);
+    vc = std::min(vc * (inverse * reverse_arrival), most);
   }
 
   /// The subpath goes on in a sampled direction, at a cosine from the geometric normal, from a

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <malus/radiometry.hpp>
 
+#include "reading.hpp"
 #include "roulette.hpp"
 #include "visibility.hpp"
 
@@ -25,8 +26,7 @@ class PathIntegrator {
     ++counters_.samples;
     begin<R, M>(path_, scene_);
     walk(ray, sampler);
-    const auto importance = R::importance(Rgb(1.0f), scene_.sensor->frame(ray.direction));
-    return R::measure(importance, path_.result());
+    return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
 
   /// The last reading was not finite, and is not used.

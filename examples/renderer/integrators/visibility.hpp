@@ -76,6 +76,12 @@ class Visibility {
         place = scene_.shapes[hit.shape].beyond(glm::dot(hit.geometric_normal, to_end) > 0, place);
       if (!pass(hit, -to_end)) return false;
       ray = hit.leave_for(target, to_end);
+      // What is nearer to a surface than rays start off it has been reached.
+      if (!(glm::dot(ray.direction, to_end) > 0)) {
+        fly_to(target, place, sampler);
+        ++passed_;
+        return true;
+      }
     }
   }
 

@@ -121,8 +121,9 @@ class Way<WithMedia> {
 /// techniques by it: that paths draw distances by what they carry matters less than that this is a
 /// function of the way alone, the same for all techniques.
 inline float arrival_chance(const Rgb& transmittance) {
-  // Above zero, however thick the medium.
-  return std::max((transmittance[0] + transmittance[1] + transmittance[2]) * (1.0f / 3), 1e-30f);
+  // Above zero, however thick the medium: where density varies, more may get through than is
+  // expected. Its inverse leaves single precision room.
+  return std::max((transmittance[0] + transmittance[1] + transmittance[2]) * (1.0f / 3), 1e-12f);
 }
 constexpr float arrival_chance(Way<NoMedia>::Transmittance) { return 1; }
 

@@ -53,7 +53,8 @@ void add_options(CLI::App& app, Arguments& a) {
          "--integrator", a.integrator,
          "Path tracing, light tracing, bidirectional path tracing, progressive or "
          "bidirectional photon mapping, vertex connection and merging (default: the scene's)")
-      ->check(CLI::IsMember({"path", "volpath", "ptracer", "bdpt", "ppm", "bpm", "vcm"}));
+      ->check(
+          CLI::IsMember({"path", "volpath", "volpathmis", "ptracer", "bdpt", "ppm", "bpm", "vcm"}));
   app.add_option("--strategy", a.strategy,
                  "Of bdpt, one strategy alone and unweighted: S vertices from the light, T from "
                  "the camera")

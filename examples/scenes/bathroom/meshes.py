@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Triangle meshes of swept, turned and draped surfaces, and images, for make_bathroom.py."""
+"""Triangle meshes of swept, turned and draped surfaces, and images, for make_bathroom.py and make_media.py."""
 import math
 import os
 import struct
 import zlib
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
+WRITER = "make_bathroom.py"
 
 
 class Random:
@@ -94,7 +95,7 @@ class Mesh:
         if self.closed:
             self.check_closed()
         names = ["x", "y", "z"] + ([] if self.faceted else ["nx", "ny", "nz"]) + (["u", "v"] if self.textured else [])
-        header = ["ply", "format binary_little_endian 1.0", "comment written by make_bathroom.py", "element vertex %d" % len(self.points)]
+        header = ["ply", "format binary_little_endian 1.0", "comment written by " + WRITER, "element vertex %d" % len(self.points)]
         header += ["property float " + name for name in names]
         header += ["element face %d" % len(self.faces), "property list uchar int vertex_indices", "end_header"]
         out = [("\n".join(header) + "\n").encode()]

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The paper's measurement equation (2), for one path: W_e · L.
+#pragma once
+
+#include <malus/radiometry.hpp>
+
+#include "../sensors/sensor.hpp"
+
+namespace renderer {
+
+/// What a sensor whose importance is `weight` reads of light that arrives along one of its rays.
+template <class R>
+malus::Measurement<Rgb> read(const Sensor& sensor, const Vec3& ray_direction,
+                             const typename R::Light& light, const Rgb& weight = Rgb(1.0f)) {
+  if constexpr (R::polarized)
+    return R::measure(R::importance(weight, sensor.frame(ray_direction)), light);
+  else
+    return R::measure(weight, light);  // whatever the frame
+}
+
+}  // namespace renderer
