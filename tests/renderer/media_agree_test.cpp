@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "agreement_scenes.hpp"
+#include "integrators/mis.hpp"
+#include "integrators/way.hpp"
 #include "picture_files.hpp"
 
 using namespace agreement;
@@ -196,4 +198,44 @@ TEST_CASE("media agree: the same picture on any number of threads") {
         same = same && one.film.total(p).mean(i) == three.film.total(p).mean(i);
     CHECK(same);
   }
+}
+
+TEST_CASE(
+    "media agree: the three weights of a path of two segments sum to one, however thin they are") {
+  using renderer::SubpathMis;
+  const float paths = 4096, lens_pdf = 7000, cos_z = 0.7f, cos_zl = 0.4f, cos_l = 0.6f;
+  const float d1 = 3, d2 = 1.7f, pdf_incident = 0.3f, pdf_exitant = 0.11f, per_area = 2.5f;
+  const float pi = renderer::pi;
+  const renderer::MisFactors factors{.connection = 1};
+  // Through hardly anything; through what lets nothing through by all expectation, as a hole in a
+  // cloud may do yet.
+  for (const float first : {1.0f, 1e-4f, 1e-30f, 0.0f})
+    for (const float second : {1.0f, 1e-6f, 1e-20f, 0.0f}) {
+      CAPTURE(first);
+      CAPTURE(second);
+      const float to_z = renderer::arrival_chance(renderer::Rgb(first)),
+                  to_light = renderer::arrival_chance(renderer::Rgb(second));
+      // The light: by area, by cosine; seen from z by solid angle.
+      const float light_pdf = per_area * d2 * d2 / cos_l, ratio = cos_l / (pi * d2 * d2);
+
+      SubpathMis camera;
+      camera.vcm = paths / lens_pdf;
+      camera.arrive(d1 * d1, cos_z, to_z, to_z);
+      const float connected =
+          renderer::mis_weight(pdf_incident * to_light / light_pdf,
+                               ratio * cos_zl * to_light * camera.connected(pdf_exitant, 0));
+
+      camera.scatter({.pdf = pdf_incident, .reverse_pdf = pdf_exitant}, cos_zl, factors, 0);
+      camera.arrive(d2 * d2, cos_l, to_light, to_light);
+      const float found =
+          renderer::mis_weight(0, per_area * camera.vcm + per_area * cos_l / pi * camera.vc);
+
+      SubpathMis light;
+      light.vc = pi / per_area;
+      light.vcm = 1 / ratio;
+      light.arrive(cos_zl, to_light, to_light);
+      const float seen = renderer::mis_weight(
+          lens_pdf * cos_z / (d1 * d1) * to_z / paths * light.connected(pdf_incident, 0), 0);
+      CHECK(connected + found + seen == doctest::Approx(1).epsilon(1e-5));
+    }
 }
