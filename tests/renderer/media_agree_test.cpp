@@ -38,7 +38,7 @@ const std::string haze = coefficients("0.02, 0.03, 0.05", "0.1, 0.15, 0.3");
 
 std::string volpath(int max_depth) {
   return "<integrator type=\"volpath\">" + integer("max_depth", max_depth) +
-         integer("rr_depth", 4) + number("initial_radius", 0.01) +
+         integer("rr_depth", 2) + number("initial_radius", 0.01) +
          number("initial_media_radius", 0.02) + "</integrator>\n";
 }
 
@@ -63,7 +63,11 @@ Scene staged(const std::string& bodies, int max_depth = 4) {
 }  // namespace
 
 TEST_CASE("media agree: a scene full of Rayleigh haze, camera and lamp within") {
-  check_agree(filled(haze + rayleigh), all_in_media, 64, 128);
+  // A ball that says what is before it and what would be behind it.
+  const std::string solid = ball(
+      {-0.9, -0.6, 0.9}, 0.5,
+      grey + "<ref id=\"air\" name=\"exterior\"/>" + medium(coefficients("9, 9, 9", "0, 0, 0")));
+  check_agree(filled(haze + rayleigh, 4, stage + solid), all_in_media, 64, 128);
 }
 
 TEST_CASE("media agree: dense bodies of every phase function") {
@@ -75,6 +79,8 @@ TEST_CASE("media agree: dense bodies of every phase function") {
     CAPTURE(p);
     check_agree(staged(body(thick + p)), unbiased, 64);
   }
+  check_agree(staged(body(coefficients("0.5, 0.5, 0.5", "2, 2, 2") + phase("isotropic"))),
+              connecting, 64);
 }
 
 TEST_CASE("media agree: extinction by polarisation in the light's order") {
@@ -139,6 +145,7 @@ TEST_CASE("media agree: media that emit") {
       coefficients("0.5, 1, 2", "0.3, 0.2, 0.1") + rgb("emission", "0.9, 0.4, 0.1") + rayleigh;
   check_agree(build(volpath(4) + camera() + floor_and_wall + body(fire)),
               {bdpt, vcm, ptracer, media_ppm, media_bpm}, 64);
+  check_agree(staged(body(fire)), {ptracer}, 64);
 }
 
 TEST_CASE("media agree: each strategy alone gives all light of its length") {

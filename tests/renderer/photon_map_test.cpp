@@ -173,3 +173,23 @@ TEST_CASE("photon map: empty, and of one photon") {
   CHECK(shown(map_of({}, Vec3(0), 1), Vec3(0)).empty());
   CHECK(shown(map_of({Vec3(1, 2, 3)}, Vec3(0), 1), Vec3(1, 2, 3.5f)) == std::vector<int>{0});
 }
+
+TEST_CASE("photon map: photons on surfaces and those in media have a map each") {
+  using MixedPaths = renderer::LightPaths<Light, renderer::WithMedia>;
+  const renderer::Medium medium{renderer::Medium::Description{}};
+  const renderer::Bsdf bsdf{renderer::Diffuse{}};
+  std::vector<MixedPaths> lists(1);
+  for (int i = 0; i < 4; ++i) {
+    renderer::LightVertex<Light, renderer::WithMedia> v{};
+    v.scatterer = i % 2 == 0 ? renderer::Scatterer<renderer::WithMedia>(medium)
+                             : renderer::Scatterer<renderer::WithMedia>(bsdf);
+    v.edges = i;
+    lists.back().vertices.push_back(v);
+  }
+  lists.back().ends.push_back(4);
+  for (const bool in_media : {true, false}) {
+    Map map;
+    map.build(std::span<const MixedPaths>(lists), in_media, Vec3(0.0f), 0.1f);
+    CHECK(shown(map, Vec3(0.0f)) == (in_media ? std::vector<int>{0, 2} : std::vector<int>{1, 3}));
+  }
+}
