@@ -212,7 +212,6 @@ TEST_CASE(
   using renderer::SubpathMis;
   const float paths = 4096, lens_pdf = 7000, cos_z = 0.7f, cos_zl = 0.4f, cos_l = 0.6f;
   const float d1 = 3, d2 = 1.7f, pdf_incident = 0.3f, pdf_exitant = 0.11f, per_area = 2.5f;
-  const float pi = renderer::pi;
   const renderer::MisFactors factors{.connection = 1};
   // Through hardly anything; through what lets nothing through by all expectation, as a hole in a
   // cloud may do yet.
@@ -223,7 +222,7 @@ TEST_CASE(
       const float to_z = renderer::arrival_chance(renderer::Rgb(first)),
                   to_light = renderer::arrival_chance(renderer::Rgb(second));
       // The light: by area, by cosine; seen from z by solid angle.
-      const float light_pdf = per_area * d2 * d2 / cos_l, ratio = cos_l / (pi * d2 * d2);
+      const float light_pdf = per_area * d2 * d2 / cos_l, ratio = cos_l / (renderer::pi * d2 * d2);
 
       SubpathMis camera;
       camera.vcm = paths / lens_pdf;
@@ -234,11 +233,11 @@ TEST_CASE(
 
       camera.scatter({.pdf = pdf_incident, .reverse_pdf = pdf_exitant}, cos_zl, factors, 0);
       camera.arrive(d2 * d2, cos_l, to_light, to_light);
-      const float found =
-          renderer::mis_weight(0, per_area * camera.vcm + per_area * cos_l / pi * camera.vc);
+      const float found = renderer::mis_weight(
+          0, per_area * camera.vcm + per_area * cos_l / renderer::pi * camera.vc);
 
       SubpathMis light;
-      light.vc = pi / per_area;
+      light.vc = renderer::pi / per_area;
       light.vcm = 1 / ratio;
       light.arrive(cos_zl, to_light, to_light);
       const float seen = renderer::mis_weight(
