@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/affine.hpp"
 #include "core/sampler.hpp"
 #include "media/read_grid_volume.hpp"
 #include "scene_files.hpp"
@@ -122,7 +123,7 @@ TEST_CASE("grid: values are Mitsuba's") {
     check_near(DensityGrid(some_values(3), unit)(v.point), v.color);
     check_near(DensityGrid(some_values(1), unit, Filter::nearest)(v.point), v.nearest);
     check_near(DensityGrid(some_values(3), unit, Filter::nearest)(v.point), v.nearest_color);
-    const Vec3 world = transform_point(moved(), glm::dvec3(v.point));
+    const Vec3 world(transform_point(moved(), glm::dvec3(v.point)));
     check_near(DensityGrid(some_values(3), moved())(world), v.color);
   }
 }
@@ -136,7 +137,8 @@ TEST_CASE("grid: mean, maximum and the stretch of a ray are those of the interpo
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 6; ++y)
       for (int z = 0; z < 8; ++z) {
-        const Rgb v = g(transform_point(moved(), {(x + 0.5) / 4, (y + 0.5) / 6, (z + 0.5) / 8}));
+        const glm::dvec3 p((x + 0.5) / 4, (y + 0.5) / 6, (z + 0.5) / 8);
+        const Rgb v = g(Vec3(transform_point(moved(), p)));
         sum += glm::dvec3(v[0], v[1], v[2]);
         CHECK(std::max({v[0], v[1], v[2]}) <= g.maximum());
       }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -29,17 +30,6 @@ MALUS_INLINE Vec3 normalized(const Vec3& v) { return v * (1 / std::sqrt(glm::dot
 
 /// Mirror image of w about the axis n; both point away from the surface.
 inline Vec3 reflect_about(const Vec3& w, const Vec3& n) { return 2 * glm::dot(w, n) * n - w; }
-
-inline Vec3 transform_point(const glm::dmat4& m, const glm::dvec3& p) {
-  return Vec3(glm::dvec3(m * glm::dvec4(p, 1.0)));
-}
-inline glm::dvec3 transform_vector(const glm::dmat4& m, const glm::dvec3& v) {
-  return glm::dvec3(m * glm::dvec4(v, 0.0));
-}
-/// A normal goes by the inverse transpose; the result is of unit length.
-inline Vec3 transform_normal(const glm::dmat4& m, const glm::dvec3& n) {
-  return Vec3(glm::normalize(glm::dvec3(glm::transpose(glm::inverse(m)) * glm::dvec4(n, 0.0))));
-}
 
 /// Two unit vectors that make a right-handed basis with a unit vector n (Duff et al. 2017).
 struct Basis {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../core/affine.hpp"
 #include "../image/finite.hpp"
 #include "../textures/read_texels.hpp"
 #include "build.hpp"
@@ -22,8 +23,9 @@ void reject_both(const Object& o, std::string_view name) {
 PointLight make_point(const Object& o) {
   reject_both(o, "position");
   PointLight light;
-  light.position = o.has("position") ? Vec3(o.point("position"))
-                                     : transform_point(o.transform("to_world"), glm::dvec3(0));
+  light.position =
+      Vec3(o.has("position") ? o.point("position")
+                             : transform_point(o.transform("to_world"), glm::dvec3(0)));
   light.intensity = emission(o, "intensity");
   return light;
 }

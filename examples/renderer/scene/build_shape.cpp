@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "../core/affine.hpp"
 #include "build.hpp"
 #include "mesh_reader.hpp"
 
@@ -46,8 +47,8 @@ void turn_inside_out(TriangleMesh& mesh) {
 /// `keep_front`: the front stays the front in a mirroring transform. (Mitsuba lets it turn where a
 /// mesh has no normals.)
 void apply_transform(TriangleMesh& mesh, const glm::dmat4& to_world, bool keep_front) {
-  for (auto& p : mesh.positions) p = transform_point(to_world, glm::dvec3(p));
-  for (auto& n : mesh.normals) n = transform_normal(to_world, glm::dvec3(n));
+  for (auto& p : mesh.positions) p = Vec3(transform_point(to_world, glm::dvec3(p)));
+  for (auto& n : mesh.normals) n = Vec3(glm::normalize(transform_normal(to_world, glm::dvec3(n))));
   if (glm::determinant(glm::dmat3(to_world)) < 0 && (keep_front || !mesh.normals.empty()))
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
 }
@@ -77,7 +78,7 @@ Sphere make_sphere(const Object& o) {
                "a sphere can be moved, turned and scaled evenly, not sheared or stretched");
     }
   Sphere sphere;
-  sphere.center = transform_point(to_world, center);
+  sphere.center = Vec3(transform_point(to_world, center));
   sphere.radius = static_cast<float>(radius * scale);
   sphere.rotation = glm::mat3(m / scale);
   sphere.flipped = o.boolean("flip_normals", false);

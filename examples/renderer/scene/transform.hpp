@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "../core/affine.hpp"
+
 namespace renderer {
 
 glm::dmat4 translation(const glm::dvec3& offset);
@@ -29,16 +31,5 @@ std::pair<glm::dvec3, glm::dvec3> coordinate_system(const glm::dvec3& n);
 bool is_singular(const glm::dmat4& transform);
 bool is_finite(const glm::dmat4& transform);
 bool is_affine(const glm::dmat4& transform);
-
-inline glm::dvec3 transform_point(const glm::dmat4& m, const glm::dvec3& p) {
-  return glm::dvec3(m * glm::dvec4(p, 1.0));
-}
-inline glm::dvec3 transform_vector(const glm::dmat4& m, const glm::dvec3& v) {
-  return glm::dmat3(m) * v;
-}
-/// Normals go by the inverse transpose; the result is not normalised.
-inline glm::dvec3 transform_normal(const glm::dmat4& m, const glm::dvec3& n) {
-  return glm::transpose(glm::inverse(glm::dmat3(m))) * n;
-}
 
 }  // namespace renderer
