@@ -42,6 +42,8 @@ class PathSum {
   void attenuate(const V& transmittance) { throughput_ *= transmittance; }
   /// The same where it depends on polarisation.
   void transmit(const V& transmittance) { throughput_ *= transmittance; }
+  /// Intensities are all there is.
+  static constexpr bool reads_polarization() { return false; }
   /// The part of unpolarised light at the current vertex that reaches the first.
   const V& throughput() const { return throughput_; }
   /// The light that leaves the first vertex towards the sensor.
@@ -52,6 +54,10 @@ class PathSum {
 };
 
 /// A camera path of polarised light. Keep one a thread: begin() keeps its memory.
+///
+/// Everything is turned on the way out into the frame that the matrix before it expects light in,
+/// where that overlaps with the tracing of rays, and what is kept is two numbers a vertex instead of
+/// frames. Where that matrix reads the intensity alone, no more than the intensity is kept.
 template <SpectralValue V, RuntimeFrameType F = Frame<scalar_t<V>>>
 class PathSweep {
  public:
@@ -66,53 +72,192 @@ class PathSweep {
     vertices_.emplace_back();
     lit_ = 0;
     throughput_ = V(1);
+    reads_polarization_ = true;
+    has_entry_ = false;
   }
 
-  void deposit(const Light& light) {
-    if (light.form() == StokesForm::zero) return;
-    vertices_.back().deposit += light;
-    lit_ = vertices_.size();
+  /// Whether more is read of light that leaves the current vertex than its intensity: not where it
+  /// is depolarised next.
+  bool reads_polarization() const { return reads_polarization_; }
+
+  template <StokesForm Form>
+  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
+    detail::visit_form(light, [&](auto form) MALUS_INLINE_LAMBDA { deposit_as<form()>(light); });
   }
 
-  void scatter(const Scattering& f) {
-    vertices_.back().scattering = f;
-    throughput_ *= f.m00();
-    vertices_.emplace_back();
+  template <MuellerForm Form>
+  MALUS_INLINE void scatter(const Mueller<V, incident, exitant, F, F, Form>& f) {
+    act(f);
   }
 
   /// A multiple of the identity, which every frame and order leaves alone, joins the scattering
   /// before it. What the current vertex already holds does not come this way.
   void attenuate(const V& transmittance) {
-    if (vertices_.size() == 1 || vertices_.back().deposit.form() != StokesForm::zero)
-      return scatter(Scattering::plain(transmittance));
-    Scattering& before = vertices_[vertices_.size() - 2].scattering;
-    V* values = detail::Access::values(before);
-    for (std::size_t i = 0; i < value_count(before.form()); ++i) values[i] *= transmittance;
+    if (vertices_.size() == 1 || vertices_.back().deposit_form != StokesForm::zero)
+      return act(PlainMueller<V, incident, exitant, F>::plain(transmittance));
+    Vertex& before = vertices_[vertices_.size() - 2];
+    for (std::size_t i = 0; i < value_count(before.form); ++i) before.matrix[i] *= transmittance;
     throughput_ *= transmittance;
   }
 
   /// A stretch of medium is kept as a vertex that light goes straight on from. Of several, the one
   /// that is transmitted through first acts last.
-  void transmit(const Transmittance& t) { scatter(detail::retag<Scattering>(t)); }
+  template <MuellerForm Form>
+  void transmit(const Mueller<V, exitant, incident, F, F, Form>& t) {
+    act(t);
+  }
 
   const V& throughput() const { return throughput_; }
 
   Light result() const {
     if (lit_ == 0) return {};
-    Light light = vertices_[lit_ - 1].deposit;
-    for (std::size_t k = lit_ - 1; k-- > 0;)
-      light = vertices_[k].deposit + vertices_[k].scattering * propagate(light);
-    return light;
+    Arriving light;
+    light.add(vertices_[lit_ - 1]);
+    for (std::size_t k = lit_ - 1; k-- > 0;) {
+      light.pass(vertices_[k]);
+      light.add(vertices_[k]);
+    }
+    if (!light.is_polarized) return Light::unpolarized(light.s[0]);
+    return {light.s[0], light.s[1], light.s[2], light.s[3], outermost_};
   }
 
  private:
+  /// What leaves towards the vertex before, and what is done to light from the next.
   struct Vertex {
-    Light deposit;
-    Scattering scattering;
+    V deposit[4];
+    StokesForm deposit_form = StokesForm::zero;
+    MuellerForm form = MuellerForm::zero;
+    Rotation<scalar_t<V>> turn;  ///< from the matrix's exit frame to where the one before enters
+    V matrix[16];
   };
+
+  /// Light on its way back, in the frame that the next matrix expects.
+  struct Arriving {
+    V s[4];
+    bool is_polarized = false;
+
+    Arriving() : s{V(0), V(0), V(0), V(0)} {}
+
+    MALUS_INLINE void add(const Vertex& v) {
+      if (v.deposit_form == StokesForm::zero) return;
+      s[0] += v.deposit[0];
+      if (v.deposit_form == StokesForm::unpolarized) return;
+      for (int i = 1; i < 4; ++i) s[i] = is_polarized ? s[i] + v.deposit[i] : v.deposit[i];
+      is_polarized = true;
+    }
+
+    MALUS_INLINE void pass(const Vertex& v) {
+      detail::with_form(v.form, [&](auto form) MALUS_INLINE_LAMBDA {
+        if (is_polarized)
+          pass_as<form(), StokesForm::full>(v);
+        else
+          pass_as<form(), StokesForm::unpolarized>(v);
+      });
+    }
+
+   private:
+    template <MuellerForm FM, StokesForm FS>
+    MALUS_INLINE void pass_as(const Vertex& v) {
+      constexpr StokesForm R = product_form(FM, FS);
+      is_polarized = R == StokesForm::full;
+      if constexpr (R == StokesForm::zero) {
+        s[0] = V(0);
+      } else {
+        V out[value_count(R)];
+        detail::apply<value_count(R), FM, FS>(static_cast<const V*>(v.matrix),
+                                              static_cast<const V*>(s), static_cast<V*>(out));
+        if constexpr (needs_exit_frame(FM)) rotate(v.turn, out[1], out[2]);
+        detail::copy_values<value_count(R)>(static_cast<const V*>(out), s);
+      }
+    }
+  };
+
+  template <StokesForm Form, class S>
+  MALUS_INLINE void deposit_as(const S& light) {
+    if constexpr (Form != StokesForm::zero) {
+      const V* from = detail::Access::values(light);
+      Vertex& v = vertices_.back();
+      const bool is_first = v.deposit_form == StokesForm::zero;
+      v.deposit[0] = is_first ? from[0] : v.deposit[0] + from[0];
+      if (is_first) v.deposit_form = StokesForm::unpolarized;
+      lit_ = vertices_.size();
+      if constexpr (Form == StokesForm::full) {
+        if (!reads_polarization_) return;
+        V s1 = from[1], s2 = from[2];
+        rotate(turn_to_entry(light.frame()), s1, s2);
+        const bool adds = v.deposit_form == StokesForm::full;
+        v.deposit[1] = adds ? v.deposit[1] + s1 : s1;
+        v.deposit[2] = adds ? v.deposit[2] + s2 : s2;
+        v.deposit[3] = adds ? v.deposit[3] + from[3] : from[3];
+        v.deposit_form = StokesForm::full;
+      }
+    }
+  }
+
+  template <class M>
+  MALUS_INLINE void act(const M& m) {
+    detail::visit_form(m, [&](auto form) MALUS_INLINE_LAMBDA { act_as<form()>(m); });
+    vertices_.emplace_back();
+  }
+
+  template <MuellerForm Form, class M>
+  MALUS_INLINE void act_as(const M& m) {
+    using enum MuellerForm;
+    Vertex& v = vertices_.back();
+    const V* from = detail::Access::values(m);
+    if constexpr (Form == zero) {
+      throughput_ = V(0);
+      reads_polarization_ = false;
+    } else {
+      throughput_ *= from[0];
+      if constexpr (needs_exit_frame(Form) && Form != depolarizing_enter) {
+        if (!reads_polarization_) return keep_row<Form>(v, m);
+      }
+      if constexpr (needs_exit_frame(Form))
+        if (reads_polarization_) v.turn = turn_to_entry(m.exit());
+      v.form = Form;
+      detail::copy_values<value_count(Form)>(from, v.matrix);
+      if constexpr (needs_enter_frame(Form))
+        enter(m);
+      else if constexpr (!is_collinear(Form))
+        reads_polarization_ = false;
+    }
+  }
+
+  /// What is left of a matrix where nothing but the intensity of what leaves is read.
+  template <MuellerForm Form, class M>
+  MALUS_INLINE void keep_row(Vertex& v, const M& m) {
+    const V* from = detail::Access::values(m);
+    v.form = MuellerForm::depolarizing_exit;
+    for (int c = 0; c < 4; ++c) {
+      const int place = detail::slot(Form, 0, c);
+      v.matrix[c] = place < 0 ? V(0) : from[place];
+    }
+    enter(m);
+  }
+
+  template <class M>
+  MALUS_INLINE void enter(const M& m) {
+    entry_ = m.enter();
+    has_entry_ = true;
+    reads_polarization_ = true;
+  }
+
+  /// Into the frame in which the matrix before expects light; the first frame of all is the
+  /// result's.
+  MALUS_INLINE Rotation<scalar_t<V>> turn_to_entry(const F& frame) {
+    if (has_entry_) return rotation(frame, entry_, "PathSweep");
+    entry_ = outermost_ = frame;
+    has_entry_ = true;
+    return {};
+  }
+
   std::vector<Vertex> vertices_;
   std::size_t lit_ = 0;  // vertices up to the last that light was deposited at
   V throughput_ = V(1);
+  bool reads_polarization_ = true;
+  bool has_entry_ = false;
+  F entry_, outermost_;  // of the matrix before the current vertex; of what leaves the first
 };
 
 }  // namespace malus

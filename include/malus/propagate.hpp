@@ -17,6 +17,15 @@ MALUS_INLINE constexpr To retag(const From& from) {
   return mapped<To>(from, [](const auto& value) MALUS_INLINE_LAMBDA { return value; });
 }
 
+/// The same where the form of a flagged quantity has been looked at: To is of that form.
+template <class To, class From>
+MALUS_INLINE constexpr To retag_known(const From& from) {
+  To to = Access::make<To>();
+  copy_values<value_count(To::static_form)>(Access::values(from), Access::values(to));
+  if constexpr (needs_frame(To::static_form)) copy_frame(Access::frame(to), Access::frame(from));
+  return to;
+}
+
 }  // namespace detail
 
 /// G on light: exitant to incident through free space.

@@ -28,6 +28,7 @@ struct Unpolarized {
   static Scattering plain(const V& a) { return a; }
   /// f acts on light that reached its vertex.
   static Light scatter(const Scattering& f, const Light& light) { return f * light; }
+  static const V& intensity(const Light& light) { return light; }
   /// Light on its way, behind a stretch of medium.
   static Light transmit(const Transmittance& t, const Light& light) { return t * light; }
   static const V& m00(const Scattering& f) { return f; }
@@ -43,8 +44,12 @@ struct Unpolarized {
 template <SpectralValue V>
 struct Polarized {
   using Value = V;
+  using frame = Frame<scalar_t<V>>;
   using Light = Stokes<V, exitant>;
   using Scattering = Mueller<V, incident, exitant>;
+  /// Of a form that is known when it is compiled.
+  template <MuellerForm Form>
+  using ScatteringAs = Mueller<V, incident, exitant, frame, frame, Form>;
   using Transmittance = Mueller<V, exitant, incident>;
   using Importance = malus::Importance<V, incident>;
   using CameraPath = PathSweep<V>;
@@ -52,9 +57,24 @@ struct Polarized {
   static constexpr bool polarized = true;
 
   static Light unpolarized(const V& radiance) { return Light::unpolarized(radiance); }
-  static Scattering depolarizer(const V& m00) { return Scattering::depolarizing(m00); }
+  static auto depolarizer(const V& m00) { return DepolarizingMueller<V>::depolarizing(m00); }
   static Scattering plain(const V& a) { return Scattering::plain(a); }
-  static Light scatter(const Scattering& f, const Light& light) { return f * propagate(light); }
+  static bool is_unpolarized(const Light& light) { return light.form() != StokesForm::full; }
+  static V intensity(const Light& light) { return light.intensity(); }
+  /// f acts on light that reached its vertex. Where the form of f is a type, of unpolarised light
+  /// its first column alone is made, and its first row where no polarisation is read.
+  template <MuellerForm Form>
+  MALUS_INLINE static Light scatter(const ScatteringAs<Form>& f, const Light& light,
+                                    bool reads_polarization = true) {
+    if constexpr (Form == MuellerForm::dynamic) {
+      return f * propagate(light);
+    } else {
+      return detail::with_form(light.form(), [&](auto form) MALUS_INLINE_LAMBDA {
+        const auto result = f * detail::retag_known<Stokes<V, incident, frame, form()>>(light);
+        return reads_polarization ? Light(result) : Light::unpolarized(result.intensity());
+      });
+    }
+  }
   /// The end of a stretch is no vertex: what leaves it is still on its way.
   static Light transmit(const Transmittance& t, const Light& light) {
     return detail::retag<Light>(propagate(light, t));

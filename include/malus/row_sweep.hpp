@@ -27,8 +27,13 @@ class RowSweep {
     row_ = Row::intensity(V(1));
     carries_row_ = carries_row;
   }
-  void deposit(const Light& light) { sweep_.deposit(light); }
-  void scatter(const Scattering& f) {
+  bool reads_polarization() const { return sweep_.reads_polarization(); }
+  template <StokesForm Form>
+  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
+    sweep_.deposit(light);
+  }
+  template <MuellerForm Form>
+  MALUS_INLINE void scatter(const Mueller<V, incident, exitant, F, F, Form>& f) {
     sweep_.scatter(f);
     if (carries_row_) row_ = propagate(row_ * f);
   }

@@ -67,6 +67,35 @@ MALUS_INLINE Lanes<T> broadcast(T x) {
     return Lanes<T>{x, x};
 }
 
+/// Of every lane. One instruction where the compiler lets us name it: it makes one of a loop only if
+/// it may forget errno.
+template <class T>
+MALUS_INLINE Lanes<T> square_root(Lanes<T> x) {
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_elementwise_sqrt)
+  return __builtin_elementwise_sqrt(x);
+#elif __has_builtin(__builtin_ia32_sqrtps) && __has_builtin(__builtin_ia32_sqrtpd)
+  if constexpr (sizeof(T) == 4)
+    return __builtin_ia32_sqrtps(x);
+  else
+    return __builtin_ia32_sqrtpd(x);
+#endif
+#endif
+  for (std::size_t i = 0; i < lanes_width<T>; ++i) x[i] = std::sqrt(x[i]);
+  return x;
+}
+
+/// x < 0 ? a : b in every lane.
+template <class T>
+MALUS_INLINE Lanes<T> where_negative(Lanes<T> x, Lanes<T> a, Lanes<T> b) {
+#if defined(__GNUC__) || defined(__clang__)
+  return x < broadcast(T(0)) ? a : b;
+#else
+  for (std::size_t i = 0; i < lanes_width<T>; ++i) a[i] = x[i] < 0 ? a[i] : b[i];
+  return a;
+#endif
+}
+
 }  // namespace detail
 
 /// N values of one quantity, one a wavelength or colour channel. T is float or double. Trivial: a
@@ -147,6 +176,18 @@ class Spectrum {
     for (auto& g : a.group_) g = -g;
     return a;
   }
+  /// Channel by channel.
+  friend MALUS_INLINE Spectrum sqrt(Spectrum a) {
+    for (auto& g : a.group_) g = detail::square_root<T>(g);
+    return a;
+  }
+  /// x < 0 ? a : b, channel by channel.
+  friend MALUS_INLINE Spectrum where_negative(const Spectrum& x, Spectrum a, const Spectrum& b) {
+    for (std::size_t g = 0; g < groups; ++g)
+      a.group_[g] = detail::where_negative<T>(x.group_[g], a.group_[g], b.group_[g]);
+    return a;
+  }
+
   friend MALUS_INLINE bool operator==(const Spectrum& a, const Spectrum& b) {
     for (std::size_t i = 0; i < N; ++i)
       if (!(a[i] == b[i])) return false;
@@ -183,6 +224,12 @@ MALUS_INLINE constexpr void set_channel(V& value, std::size_t i, scalar_t<V> x) 
     static_cast<void>(i), value = x;
   else
     value.set(i, x);
+}
+
+/// x < 0 ? a : b.
+template <std::floating_point T>
+MALUS_INLINE constexpr T where_negative(T x, T a, T b) {
+  return x < 0 ? a : b;
 }
 
 namespace detail {

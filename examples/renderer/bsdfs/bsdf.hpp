@@ -52,12 +52,22 @@ class Bsdf {
         [&](const auto& b) { return b.sample(point, known, tracing, sampler, result); }, kind_);
   }
 
-  /// The scattering of a sample, times |cos|/pdf. Its m00 is the sample's weight.
-  template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
-    return std::visit(
-        [&](const auto& b) { return b.template weight<R>(point, known, tracing, sample); }, kind_);
+  /// The scattering of a sample, times |cos|/pdf and a factor, as the type that its kind has. Its
+  /// m00 is the sample's weight, times the factor.
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& point, const Vec3& known,
+                                          Tracing tracing, const BsdfSample& sample, float factor,
+                                          Use&& use) const {
+    if constexpr (!R::polarized) {
+      return use(sample.weight * factor);
+    } else {
+      if (!polarizes_ && !is_sheet_) return use(R::depolarizer(sample.weight * factor));
+      return std::visit(
+          [&](const auto& b) {
+            return use(b.template weight<R>(point, known, tracing, sample, factor));
+          },
+          kind_);
+    }
   }
 
   /// The BSDF for unpolarised light, without the cosine, and the densities of sample(); all 0 of
@@ -73,20 +83,22 @@ class Bsdf {
         kind_);
   }
 
-  /// The BSDF, without the cosine, of directions whose value() is known; nothing of delta
-  /// distributions. Its m00 is the value's.
-  template <class R>
-  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
+  /// The BSDF, without the cosine, of directions whose value() is known, as the type that its kind
+  /// has; nothing of delta distributions. Its m00 is the value's.
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& point, const Vec3& incident,
+                                              const Vec3& exitant, const BsdfValue& value,
+                                              Use&& use) const {
     if constexpr (!R::polarized) {
-      return value.m00;
+      return use(value.m00);
     } else {
+      if (!polarizes_) return use(R::depolarizer(value.m00));
       return std::visit(
-          [&]<class B>(const B& b) -> typename R::Scattering {
+          [&]<class B>(const B& b) {
             if constexpr (B::is_delta)
-              return R::depolarizer(Rgb(0.0f));
+              return use(R::depolarizer(Rgb(0.0f)));
             else
-              return b.template scattering<R>(point, incident, exitant, value);
+              return use(b.template scattering<R>(point, incident, exitant, value));
           },
           kind_);
     }

@@ -22,24 +22,21 @@ struct Conductor {
     result.is_delta = true;
     result.pdf = result.reverse_pdf = 1;
     result.weight =
-        specular_reflectance(point) *
-        malus::map_channels(
-            [&](float n, float x) { return malus::fresnel_conductor(cosine(c), n, x).mean(); }, eta,
-            k);
+        specular_reflectance(point) * malus::fresnel_conductor(cosine(c), eta, k).mean();
     return true;
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+              const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);
       const float c = cosine(glm::dot(point.normal, known));
       return malus::conductor_reflection(c, eta, k, frames.enter, frames.exit) *
-             specular_reflectance(point);
+             (specular_reflectance(point) * factor);
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 

@@ -41,8 +41,8 @@ struct Dielectric {
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+              const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Side side(*this, point, known);
       const Flow flow(known, sample.direction, tracing);
@@ -51,9 +51,9 @@ struct Dielectric {
       const auto terms = reflected ? malus::fresnel_dielectric(side.cosine, side.eta)
                                    : malus::fresnel_transmission(side.cosine, side.eta);
       return malus::fresnel_block<Rgb>(terms, frames.enter, frames.exit) *
-             (sample.weight / sample.pdf);
+             (sample.weight * (factor / sample.pdf));
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 

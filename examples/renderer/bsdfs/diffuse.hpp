@@ -37,15 +37,14 @@ struct Diffuse {
   }
 
   template <class R>
-  typename R::Scattering scattering(const SurfacePoint&, const Vec3&, const Vec3&,
-                                    const BsdfValue& value) const {
+  auto scattering(const SurfacePoint&, const Vec3&, const Vec3&, const BsdfValue& value) const {
     return R::depolarizer(value.m00);
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint&, const Vec3&, Tracing,
-                                const BsdfSample& sample) const {
-    return R::depolarizer(sample.weight);
+  auto weight(const SurfacePoint&, const Vec3&, Tracing, const BsdfSample& sample,
+              float factor) const {
+    return R::depolarizer(sample.weight * factor);
   }
 };
 

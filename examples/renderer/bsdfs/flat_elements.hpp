@@ -24,8 +24,9 @@ struct StraightThrough {
 
   template <class R>
   typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
-    return sheet().template transmit<R>(point, Flow(known, sample.direction, tracing).exitant);
+                                const BsdfSample& sample, float factor) const {
+    return sheet().template transmit<R>(point, Flow(known, sample.direction, tracing).exitant) *
+           factor;
   }
 
  private:

@@ -64,8 +64,8 @@ class Plastic {
   }
 
   template <class R>
-  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
+  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                  const BsdfValue& value) const {
     if constexpr (R::polarized)
       return base_matrix(point.normal, incident, exitant,
                          transmission(glm::dot(point.normal, incident)),
@@ -75,23 +75,23 @@ class Plastic {
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+              const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       if (sample.is_delta) {
         const auto terms = malus::fresnel_dielectric(cosine(glm::dot(point.normal, known)), eta_);
         const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);
         return malus::fresnel_block<Rgb>(terms, frames.enter, frames.exit) *
-               (specular_reflectance(point) / sample.pdf);
+               (specular_reflectance(point) * (factor / sample.pdf));
       }
       const auto in = transmission(glm::dot(point.normal, flow.incident));
       const auto out = transmission(glm::dot(point.normal, flow.exitant));
       const float unpolarized = in.mean() * out.mean();
       return base_matrix(point.normal, flow.incident, flow.exitant, in, out,
-                         unpolarized > 0 ? sample.weight / unpolarized : Rgb(0.0f));
+                         unpolarized > 0 ? sample.weight * (factor / unpolarized) : Rgb(0.0f));
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 

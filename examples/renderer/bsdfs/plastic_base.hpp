@@ -43,13 +43,49 @@ inline MuellerFrame frame_of_incidence(const Vec3& normal, const Vec3& propagati
 inline auto base_matrix(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
                         const malus::FresnelTerms<float>& in, const malus::FresnelTerms<float>& out,
                         const Rgb& base) {
-  const float in_0 = in.mean(), in_1 = 0.5f * (in.s - in.p);
-  const float out_0 = out.mean(), out_1 = 0.5f * (out.s - out.p);
+  const float in_0 = in.mean(), in_1 = in.half_difference();
+  const float out_0 = out.mean(), out_1 = out.half_difference();
   const Rgb none(0.0f);
   return malus::BlockMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>::block(
       {base * (out_0 * in_0), base * (out_0 * in_1), base * (out_1 * in_0), base * (out_1 * in_1)},
       {none, none, none, none}, frame_of_incidence(normal, -incident),
       frame_of_incidence(normal, exitant));
+}
+
+/// The same two vectors in the frames of a facet: (T_out)ᵢ0 and (T_in)0ⱼ, i, j < 3; the fourth
+/// components are 0. At normal incidence, where there is no plane of incidence, nothing is
+/// polarised.
+struct BasePolarization {
+  float column[3], row[3];
+
+  MALUS_INLINE BasePolarization(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
+                                const malus::FresnelTerms<float>& in,
+                                const malus::FresnelTerms<float>& out,
+                                const malus::FramePair<float>& facet) {
+    const auto base_in = MuellerFrame::from_direction_and_x(-incident, glm::cross(incident, normal));
+    const auto base_out = MuellerFrame::from_direction_and_x(exitant, glm::cross(normal, exitant));
+    const auto enter = malus::rotation(facet.enter, base_in);
+    const auto exit = malus::rotation(base_out, facet.exit);
+    const float in_1 = in.half_difference(), out_1 = out.half_difference();
+    row[0] = in.mean(), row[1] = enter.cos2 * in_1, row[2] = enter.sin2 * in_1;
+    column[0] = out.mean(), column[1] = exit.cos2 * out_1, column[2] = -exit.sin2 * out_1;
+  }
+};
+
+/// A facet's block, times `coat`, over a base, in the facet's frames.
+MALUS_INLINE auto coat_over_base(const malus::FresnelTerms<float>& terms, const Rgb& coat,
+                                 const malus::FramePair<float>& facet,
+                                 const BasePolarization& polarization, const Rgb& base) {
+  const auto& [o, i] = polarization;
+  const Rgb sum = coat * terms.mean(), difference = coat * terms.half_difference();
+  const Rgb re = coat * terms.re, im = coat * terms.im, none(0.0f);
+  const Rgb b0 = base * o[0], b1 = base * o[1], b2 = base * o[2];
+  using Matrix = malus::FullMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>;
+  return Matrix::from_rows({{{sum + b0 * i[0], difference + b0 * i[1], b0 * i[2], none},
+                             {difference + b1 * i[0], sum + b1 * i[1], b1 * i[2], none},
+                             {b2 * i[0], b2 * i[1], re + b2 * i[2], im},
+                             {none, none, -im, re}}},
+                           facet.enter, facet.exit);
 }
 
 }  // namespace renderer

@@ -39,7 +39,9 @@ struct PolarizedPlastic {
     result.pdf = from_camera ? v.pdf_incident : v.pdf_exitant;
     result.reverse_pdf = from_camera ? v.pdf_exitant : v.pdf_incident;
     if (!(result.pdf > 0)) return false;
-    result.weight = v.m00 * (glm::dot(point.normal, result.direction) / result.pdf);
+    const float factor = glm::dot(point.normal, result.direction) / result.pdf;
+    result.weight = v.m00 * factor;
+    result.lobe = v.lobe * factor;
     return true;
   }
 
@@ -58,35 +60,39 @@ struct PolarizedPlastic {
   }
 
   template <class R>
-  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
-    if constexpr (R::polarized) {
-      const auto frames = facet_frames(incident, exitant);
-      const auto terms = malus::fresnel_dielectric(reflected_cosine(incident, exitant), eta);
-      return base_matrix(point.normal, incident, exitant,
-                         transmission(glm::dot(point.normal, incident)),
-                         transmission(glm::dot(point.normal, exitant)),
-                         diffuse_reflectance(point) * (1 / pi)) +
-             malus::fresnel_block<Rgb>(terms, frames.enter, frames.exit) * value.lobe;
-    } else {
+  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                  const BsdfValue& value) const {
+    if constexpr (R::polarized)
+      return matrix(point, incident, exitant, value.lobe, diffuse_reflectance(point) * (1 / pi));
+    else
       return value.m00;
-    }
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+              const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
-      const BsdfValue v = value(point, flow.incident, flow.exitant);
-      return scattering<R>(point, flow.incident, flow.exitant, v) *
-             (glm::dot(point.normal, sample.direction) / sample.pdf);
+      const float share = glm::dot(point.normal, sample.direction) * factor / (pi * sample.pdf);
+      return matrix(point, flow.incident, flow.exitant, sample.lobe * factor,
+                    diffuse_reflectance(point) * share);
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 
  private:
+  /// The sum of coat and base in the frames of the coat's facet.
+  MALUS_INLINE auto matrix(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                           const Rgb& coat, const Rgb& base) const {
+    const Vec3& n = point.normal;
+    const auto frames = facet_frames(incident, exitant);
+    const BasePolarization polarization(n, incident, exitant, transmission(glm::dot(n, incident)),
+                                        transmission(glm::dot(n, exitant)), frames);
+    return coat_over_base(malus::fresnel_dielectric(reflected_cosine(incident, exitant), eta), coat,
+                          frames, polarization, base);
+  }
+
   malus::FresnelTerms<float> transmission(float c) const {
     return malus::fresnel_transmission(std::min(c, 1.0f), eta);
   }

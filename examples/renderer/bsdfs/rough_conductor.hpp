@@ -30,8 +30,8 @@ struct RoughConductor {
     result.direction = space.to_world(to);
     result.pdf = quarter / facets.projected_area(from);
     result.reverse_pdf = quarter / area;
-    result.weight =
-        specular_reflectance(point) * reflectance(reflected_cosine(from, to)) * Rgb(to.z / area);
+    result.lobe = specular_reflectance(point) * (to.z / area);
+    result.weight = result.lobe * reflectance(reflected_cosine(from, to));
     return result.pdf > 0;
   }
 
@@ -43,8 +43,8 @@ struct RoughConductor {
   }
 
   template <class R>
-  typename R::Scattering scattering(const SurfacePoint&, const Vec3& incident, const Vec3& exitant,
-                                    const BsdfValue& value) const {
+  auto scattering(const SurfacePoint&, const Vec3& incident, const Vec3& exitant,
+                  const BsdfValue& value) const {
     if constexpr (R::polarized)
       return block(incident, exitant) * value.lobe;
     else
@@ -52,37 +52,31 @@ struct RoughConductor {
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint&, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint&, const Vec3& known, Tracing tracing, const BsdfSample& sample,
+              float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
-      const auto fresnel = block(flow.incident, flow.exitant);
-      return fresnel * malus::map_channels([](float w, float f) { return f > 0 ? w / f : 0.0f; },
-                                           sample.weight, fresnel.m00());
+      return block(flow.incident, flow.exitant) * (sample.lobe * factor);
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 
  private:
-  Rgb reflectance(float cosine) const {
-    return malus::map_channels([&](float n, float x) { return reflectance(cosine, n, x); }, eta, k);
-  }
-
   /// malus::fresnel_conductor().mean() with one division where that has three: value() spends most
   /// of its time here. With q² = (η + ik)² − sin² θ, q = a + ib: R_s = (A − B)/(A + B), A = |q|² +
   /// c², B = 2ac, and R_p = R_s (C − D)/(C + D), C = |q|² c² + s⁴, D = B s², so that the mean is
   /// R_s C/(C + D). Where b is the larger of the two, a = Im q²/2b, and all is taken times b.
-  static float reflectance(float c, float n, float x) {
-    const float c2 = c * c, s2 = (1 - c) * (1 + c);
-    const float re = (n - 1) * (n + 1) + c2 - x * x, im = 2 * n * x;
-    const float modulus = std::sqrt(re * re + im * im);
-    const float larger = std::sqrt(0.5f * (modulus + std::abs(re)));
-    const float times = re >= 0 ? 1.0f : larger;
-    const float a = (modulus + c2) * times, b = c * (re >= 0 ? 2 * larger : im);
-    const float p = (modulus * c2 + s2 * s2) * times;
-    const float below = (a + b) * (p + b * s2);
-    return below > 0 ? (a - b) * p / below : 0.0f;
+  Rgb reflectance(float cosine) const {
+    const Rgb one(1.0f), c(cosine), c2(cosine * cosine), s2((1 - cosine) * (1 + cosine));
+    const Rgb re = (eta - one) * (eta + one) + c2 - k * k, im = 2.0f * eta * k;
+    const Rgb modulus = sqrt(re * re + im * im);
+    const Rgb larger = sqrt(0.5f * (modulus + where_negative(re, -re, re)));
+    const Rgb times = where_negative(re, larger, one);
+    const Rgb a = (modulus + c2) * times, b = c * where_negative(re, im, larger + larger);
+    const Rgb p = (modulus * c2 + s2 * s2) * times;
+    const Rgb below = (a + b) * (p + b * s2);
+    return where_negative(-below, (a - b) * p / below, Rgb(0.0f));
   }
 
   FacetMueller block(const Vec3& incident, const Vec3& exitant) const {

@@ -54,8 +54,8 @@ struct RoughDielectric {
   }
 
   template <class R>
-  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
+  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                  const BsdfValue& value) const {
     if constexpr (R::polarized)
       return block(point, incident, exitant, value.lobe);
     else
@@ -63,15 +63,15 @@ struct RoughDielectric {
   }
 
   template <class R>
-  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+              const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const auto fresnel = block(point, flow.incident, flow.exitant, Rgb(1.0f));
       const float share = fresnel.m00()[0];
-      return fresnel * (share > 0 ? sample.weight / share : Rgb(0.0f));
+      return fresnel * (share > 0 ? sample.weight * (factor / share) : Rgb(0.0f));
     } else {
-      return sample.weight;
+      return sample.weight * factor;
     }
   }
 

@@ -37,6 +37,7 @@ struct BsdfSample {
   /// By how much likelier the direction was drawn than pdf says, where a medium knows how what it
   /// scatters is polarised. The scattering is divided by it; the share of what is carried is not.
   float likelihood = 1;
+  Rgb lobe{0.0f};  ///< what the BSDF's own weight() can use again
 };
 
 /// The two directions of a scattering, one known and one drawn, as light has them.
@@ -49,10 +50,14 @@ struct Flow {
 
 using MuellerFrame = malus::Frame<float>;
 
-/// The frames of a specular event at a normal.
-inline malus::FramePair<float> specular_frames(const Vec3& normal, const Vec3& incident,
-                                               const Vec3& exitant) {
-  return malus::frames_of_incidence<float>(normal, -incident, exitant);
+/// The frames of a specular event at a normal. Axes of any length: rotations need no more.
+MALUS_INLINE malus::FramePair<float> specular_frames(const Vec3& normal, const Vec3& incident,
+                                                     const Vec3& exitant) {
+  const Vec3 s = glm::cross(incident, normal);
+  constexpr float normal_incidence = std::numeric_limits<float>::epsilon();
+  return malus::frames_with_common_axis<float>(
+      -incident, exitant,
+      glm::dot(s, s) > normal_incidence ? s : MuellerFrame::about(-incident).x());
 }
 
 }  // namespace renderer

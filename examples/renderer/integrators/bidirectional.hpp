@@ -130,7 +130,7 @@ class BidirectionalIntegrator {
         if (passes || bsdf.is_sheet()) {
           if (settings.sheets_count && v.edges == settings.max_depth) return;
           if (!passes && !bsdf.is_nothing())
-            scatter(bsdf.template transmit<R>(v.hit, v.exitant), 1);
+            path_.scatter(bsdf.template transmit<R>(v.hit, v.exitant));
           way_.pass(ray.direction);
           ray = v.hit.leave(ray.direction);
           if (!settings.sheets_count) --v.edges;
@@ -160,8 +160,7 @@ class BidirectionalIntegrator {
           survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta),
                           v.scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter(v.scatterer.template weight<R>(v.hit, v.exitant, Tracing::from_camera, sample),
-              survival);
+      scatter<R>(path_, v.scatterer, v.hit, v.exitant, sample, 1 / survival, counters_);
       mis = v.mis;
       mis.scatter(sample, v.scatterer.geometric_cosine(v.hit, sample.direction),
                   iteration_->factors, v.merge);
@@ -182,14 +181,6 @@ class BidirectionalIntegrator {
   float reverse_arrival(const Last& last) const {
     const auto& t = way_.transmittance();
     return last.is_lens ? arrival_chance(t) : arrival_density(last.scatterer, last.position, t);
-  }
-
-  void scatter(const typename R::Scattering& weight, float survival) {
-    if constexpr (R::polarized) ++counters_.forms[static_cast<std::size_t>(weight.form())];
-    if (survival < 1)
-      path_.scatter(weight * (1 / survival));
-    else
-      path_.scatter(weight);
   }
 
   /// The path has found a light by itself (s = 0).
@@ -252,9 +243,9 @@ class BidirectionalIntegrator {
                               v.mis.connected(value.pdf_exitant, v.merge);
     const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
     const float cosine = v.scatterer.cosine(v.hit, light.direction);
-    const auto f = v.scatterer.template scattering<R>(v.hit, light.direction, v.exitant, value);
-    const auto arriving = visibility_.through(R::unpolarized(light.radiance));
-    path_.deposit(R::scatter(f, arriving) * (cosine * w));
+    const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * w)));
+    path_.deposit(scatter<R>(v.scatterer, v.hit, light.direction, v.exitant, value, arriving,
+                             path_.reads_polarization()));
   }
 
   /// Connects two vertices, z of the camera's path and y of the light's.
@@ -287,10 +278,11 @@ class BidirectionalIntegrator {
                               z.mis.connected(at_z.pdf_exitant, z.merge);
     const float w = weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
     const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
-    const auto f_y = y.scatterer.template scattering<R>(y.point, y.incident, to_camera, at_y);
-    const auto f_z = z.scatterer.template scattering<R>(z.hit, to_light, z.exitant, at_z);
-    const auto arriving = visibility_.through(R::scatter(f_y, y.light));
-    path_.deposit(R::scatter(f_z, arriving) * (geometry * w));
+    const auto arriving = visibility_.through(
+        scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light));
+    path_.deposit(scatter<R>(z.scatterer, z.hit, to_light, z.exitant, at_z, arriving,
+                             path_.reads_polarization()) *
+                  (geometry * w));
   }
 
   /// Density estimation: the photons near the vertex, each scattered from where it came.
@@ -313,8 +305,9 @@ class BidirectionalIntegrator {
         w *= mis_weight(photon.mis.merged(value.pdf_incident, f, v.merge),
                         v.mis.merged(value.pdf_exitant, f, v.merge));
       }
-      const auto f = v.scatterer.template scattering<R>(v.hit, photon.incident, v.exitant, value);
-      path_.deposit(R::scatter(f, photon.light) * w);
+      path_.deposit(scatter<R>(v.scatterer, v.hit, photon.incident, v.exitant, value, photon.light,
+                               path_.reads_polarization()) *
+                    w);
     });
   }
 

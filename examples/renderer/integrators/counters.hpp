@@ -24,6 +24,11 @@ struct Counters {
   std::uint64_t non_finite = 0;  ///< readings that were NaN or infinite, and dropped
   std::array<std::uint64_t, malus::mueller_forms> forms{};  ///< of scatterings along camera paths
 
+  template <class Scattering>
+  MALUS_INLINE void count(const Scattering& f) {
+    ++forms[static_cast<std::size_t>(f.form())];
+  }
+
   Counters& operator+=(const Counters& c) {
     rays += c.rays;
     shadow_rays += c.shadow_rays;

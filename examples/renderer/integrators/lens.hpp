@@ -48,8 +48,7 @@ class Lens {
     const float weight = weigh(camera_pdf * arrival, value);
     if (!(weight > 0)) return;
     const float w = weight * v.correction() * camera_pdf / paths;
-    const auto f = v.scatterer.template scattering<R>(v.point, v.incident, exitant, value);
-    splat(seen, w, R::scatter(f, v.light), splats);
+    splat(seen, w, scatter<R>(v.scatterer, v.point, v.incident, exitant, value, v.light), splats);
   }
 
   /// Connects a light itself: what a camera ray that meets it would see.

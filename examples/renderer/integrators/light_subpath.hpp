@@ -120,8 +120,8 @@ class LightSubpath {
       const float survival = survival_chance(settings, edges, share, scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       share *= Rgb(1 / survival);
-      const auto weight = scatterer.template weight<R>(hit, incident, Tracing::from_light, sample);
-      light = R::scatter(weight, light) * (correction / survival);
+      light = scatter<R>(scatterer, hit, incident, Tracing::from_light, sample,
+                         correction / survival, light);
       if constexpr (M::present && R::polarized)
         if (scene_.draws_by_polarization)
           share = malus::map_channels([](float s0, float p) { return p > 0 ? s0 / p : 0.0f; },

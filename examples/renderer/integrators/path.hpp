@@ -68,7 +68,7 @@ class PathIntegrator {
       const bool counts = scene_.integrator.sheets_count || !is_passage;
       if (counts && depth + 1 == max_depth) return;
       if (is_passage) {
-        if (sheet) scatter(sheet->template transmit<R>(hit, exitant), 1);
+        if (sheet) path_.scatter(sheet->template transmit<R>(hit, exitant));
         if (counts) ++depth;
         way_.pass(ray.direction);
         ray = hit.leave(ray.direction);
@@ -87,20 +87,12 @@ class PathIntegrator {
           survival_chance(scene_.integrator, depth + 1,
                           path_.throughput() * sample.weight * (eta * eta), scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter(scatterer.template weight<R>(hit, exitant, Tracing::from_camera, sample), survival);
+      scatter<R>(path_, scatterer, hit, exitant, sample, 1 / survival, counters_);
       last = {hit.position, sample.pdf, sample.is_delta};
       ++depth;
       way_.scatter(sample.direction);
       ray = hit.leave(sample.direction);
     }
-  }
-
-  void scatter(const typename R::Scattering& weight, float survival) {
-    if constexpr (R::polarized) ++counters_.forms[static_cast<std::size_t>(weight.form())];
-    if (survival < 1)
-      path_.scatter(weight * (1 / survival));
-    else
-      path_.scatter(weight);
   }
 
   /// The balance heuristic's weight of a direction drawn by the BSDF that next-event estimation
@@ -143,9 +135,9 @@ class PathIntegrator {
     const float found = value.pdf_incident * arrival_chance(visibility_.transmittance());
     const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : found));
     const float cosine = scatterer.cosine(hit, light.direction);
-    const auto f = scatterer.template scattering<R>(hit, light.direction, exitant, value);
-    const auto arriving = visibility_.through(R::unpolarized(light.radiance));
-    path_.deposit(R::scatter(f, arriving) * (cosine * share));
+    const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * share)));
+    path_.deposit(scatter<R>(scatterer, hit, light.direction, exitant, value, arriving,
+                             path_.reads_polarization()));
   }
 
   /// As many sheets as a path that finds the light by itself would be allowed.

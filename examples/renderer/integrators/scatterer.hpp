@@ -8,6 +8,7 @@
 
 #include "../bsdfs/bsdf.hpp"
 #include "../media/medium.hpp"
+#include "counters.hpp"
 
 namespace renderer {
 
@@ -54,15 +55,17 @@ class Scatterer<NoMedia> {
   BsdfValue value(const SurfacePoint& p, const Vec3& incident, const Vec3& exitant) const {
     return bsdf_->value(p, incident, exitant);
   }
-  template <class R>
-  typename R::Scattering weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
-    return bsdf_->template weight<R>(p, known, tracing, sample);
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known,
+                                          Tracing tracing, const BsdfSample& sample, float factor,
+                                          Use&& use) const {
+    return bsdf_->with_weight<R>(p, known, tracing, sample, factor, use);
   }
-  template <class R>
-  typename R::Scattering scattering(const SurfacePoint& p, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
-    return bsdf_->template scattering<R>(p, incident, exitant, value);
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& p, const Vec3& incident,
+                                              const Vec3& exitant, const BsdfValue& value,
+                                              Use&& use) const {
+    return bsdf_->with_scattering<R>(p, incident, exitant, value, use);
   }
 
  private:
@@ -106,30 +109,33 @@ class Scatterer<WithMedia> {
     result.m00 *= result.lobe;
     return result;
   }
-  template <class R>
-  typename R::Scattering weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
-    if (!is_medium()) return bsdf_->template weight<R>(p, known, tracing, sample);
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known,
+                                          Tracing tracing, const BsdfSample& sample, float factor,
+                                          Use&& use) const {
     if constexpr (!R::polarized) {
-      return sample.weight;
+      return use(sample.weight * factor);
     } else {
+      if (!is_medium()) return bsdf_->with_weight<R>(p, known, tracing, sample, factor, use);
       const PhaseFunction& phase = medium_->phase();
-      if (!phase.polarizes()) return R::depolarizer(sample.weight);
+      if (!phase.polarizes()) return use(R::depolarizer(sample.weight * factor));
       const Flow flow(known, sample.direction, tracing);
-      return phase.template scattering<R>(flow.incident, flow.exitant, {}) *
-             (medium_->scattering(p.position) * (1 / (sample.pdf * sample.likelihood)));
+      return phase.with_matrix<R>(
+          flow.incident, flow.exitant,
+          medium_->scattering(p.position) * (factor / (sample.pdf * sample.likelihood)), use);
     }
   }
-  template <class R>
-  typename R::Scattering scattering(const SurfacePoint& p, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
-    if (!is_medium()) return bsdf_->template scattering<R>(p, incident, exitant, value);
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& p, const Vec3& incident,
+                                              const Vec3& exitant, const BsdfValue& value,
+                                              Use&& use) const {
     if constexpr (!R::polarized) {
-      return value.m00;
+      return use(value.m00);
     } else {
+      if (!is_medium()) return bsdf_->with_scattering<R>(p, incident, exitant, value, use);
       const PhaseFunction& phase = medium_->phase();
-      if (!phase.polarizes()) return R::depolarizer(value.m00);
-      return phase.template scattering<R>(incident, exitant, value) * value.lobe;
+      if (!phase.polarizes()) return use(R::depolarizer(value.m00));
+      return phase.with_matrix<R>(incident, exitant, value.lobe, use);
     }
   }
 
@@ -137,5 +143,42 @@ class Scatterer<WithMedia> {
   const Bsdf* bsdf_ = nullptr;
   const Medium* medium_ = nullptr;
 };
+
+/// Light that arrives at a point, after scattering in directions whose value() is known. Where it is
+/// depolarised next, no more is made of it than its intensity.
+template <class R, class M>
+typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
+                          const Vec3& incident, const Vec3& exitant, const BsdfValue& value,
+                          const typename R::Light& light, bool reads_polarization = true) {
+  if constexpr (!R::polarized) {
+    return value.m00 * light;
+  } else {
+    if (!reads_polarization && R::is_unpolarized(light))
+      return R::unpolarized(value.m00 * R::intensity(light));
+    return scatterer.template with_scattering<R>(
+        p, incident, exitant, value,
+        [&](const auto& f) { return R::scatter(f, light, reads_polarization); });
+  }
+}
+
+/// The same of a drawn direction, times a factor.
+template <class R, class M>
+typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& known,
+                          Tracing tracing, const BsdfSample& sample, float factor,
+                          const typename R::Light& light) {
+  return scatterer.template with_weight<R>(
+      p, known, tracing, sample, factor, [&](const auto& f) { return R::scatter(f, light); });
+}
+
+/// A path from the camera goes on in a drawn direction.
+template <class R, class M, class Path>
+void scatter(Path& path, const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& exitant,
+             const BsdfSample& sample, float factor, Counters& counters) {
+  scatterer.template with_weight<R>(p, exitant, Tracing::from_camera, sample, factor,
+                                    [&](const auto& f) {
+                                      if constexpr (R::polarized) counters.count(f);
+                                      path.scatter(f);
+                                    });
+}
 
 }  // namespace renderer

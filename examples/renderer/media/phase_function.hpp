@@ -88,22 +88,18 @@ class PhaseFunction {
     result.eta = 1;
   }
 
-  /// The phase matrix of directions whose value() is known. Its m00 is the value's.
-  template <class R>
-  typename R::Scattering scattering(const Vec3& incident, const Vec3& exitant,
-                                    const BsdfValue& value) const {
-    if constexpr (!R::polarized) {
-      return value.m00;
-    } else {
-      if (!polarizes_) return R::depolarizer(value.m00);
-      return visit([&]<class P>(const P& p) -> typename R::Scattering {
-        if constexpr (P::polarizes)
-          return malus::scattering_matrix(p.elements(deflection(incident, exitant)),
-                                          malus::frames_of_scattering<float>(-incident, exitant));
-        else
-          return R::depolarizer(value.m00);
-      });
-    }
+  /// The phase matrix, of a kind that polarises, times a scale, as the type that it has.
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_matrix(const Vec3& incident, const Vec3& exitant,
+                                          const Rgb& scale, Use&& use) const {
+    return visit([&]<class P>(const P& p) {
+      if constexpr (P::polarizes)
+        return use(malus::scattering_matrix(p.elements(deflection(incident, exitant)),
+                                            malus::frames_of_scattering<float>(-incident, exitant)) *
+                   scale);
+      else
+        return use(R::depolarizer(p.value(deflection(incident, exitant)) * scale));
+    });
   }
 
  private:

@@ -23,12 +23,14 @@ namespace malus {
 
 /// What a Mueller block is made of: the intensity ratios of s and p light and the complex ratio of
 /// their product, r_s* r_p = re + i·im (transmission: with its factor q/cos θi).
-template <std::floating_point T>
+template <SpectralValue V>
 struct FresnelTerms {
-  T s, p, re, im;
+  V s, p, re, im;
 
   /// The value for unpolarised light.
-  constexpr T mean() const { return T(0.5) * (s + p); }
+  constexpr V mean() const { return scalar_t<V>(0.5) * (s + p); }
+  /// What S1 of unpolarised light becomes.
+  constexpr V half_difference() const { return scalar_t<V>(0.5) * (s - p); }
 };
 
 namespace detail {
@@ -76,17 +78,29 @@ constexpr FresnelTerms<T> fresnel_dielectric(T cos_i, T eta) {
   return detail::reflection_from_root(cos_i, sin2, T(0), std::sqrt(-q2));
 }
 
-/// Reflection at a conductor of relative complex index eta + ik, k ≥ 0.
-template <std::floating_point T>
-constexpr FresnelTerms<T> fresnel_conductor(T cos_i, T eta, T k) {
-  const T sin2 = (1 - cos_i) * (1 + cos_i);
-  // q² = (η + ik)² − sin² θ; its root by half angles, the larger part first to avoid cancellation.
-  const T re = detail::squared_root_term(cos_i, eta) - k * k, im = 2 * eta * k;
-  const T modulus = std::sqrt(re * re + im * im);
-  const T larger = std::sqrt(T(0.5) * (modulus + std::abs(re)));
-  const T smaller = larger > 0 ? T(0.5) * im / larger : T(0);
-  return re >= 0 ? detail::reflection_from_root(cos_i, sin2, larger, smaller)
-                 : detail::reflection_from_root(cos_i, sin2, smaller, larger);
+/// Reflection at a conductor of relative complex index eta + ik, k ≥ 0; one a channel, all channels
+/// at once.
+template <SpectralValue V>
+constexpr FresnelTerms<V> fresnel_conductor(scalar_t<V> cos_i, const V& eta, const V& k) {
+  using std::sqrt;
+  using T = scalar_t<V>;
+  const T cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
+  const V one(T(1)), none(T(0)), c(cos_i), s2(sin2), half(T(0.5));
+  // q² = (η + ik)² − sin² θ, q = a + ib; its root by half angles, the larger part first to avoid
+  // cancellation.
+  const V re = (eta - one) * (eta + one) + V(cos2) - k * k, half_im = eta * k;
+  const V modulus = sqrt(re * re + (half_im + half_im) * (half_im + half_im));
+  const V larger = sqrt(half * (modulus + where_negative(re, -re, re)));
+  const V smaller = where_negative(-larger, half_im / larger, none);
+  const V a = where_negative(re, smaller, larger), b = where_negative(re, larger, smaller);
+  // R_p and r_s* r_p are taken times cos² to stay finite at grazing incidence.
+  const V before = (c - a) * (c - a) + b * b, after = (c + a) * (c + a) + b * b;
+  const V ac = a * c, bc = b * c;
+  const V plus = (ac + s2) * (ac + s2) + bc * bc, minus = (ac - s2) * (ac - s2) + bc * bc;
+  // Nothing is left of grazing light where there is no interface: cos θi = q = 0.
+  const V rs = where_negative(-after, before / after, none);
+  const V scale = where_negative(-plus, rs / plus, none);
+  return {rs, scale * minus, -scale * (ac * ac + bc * bc - s2 * s2), -scale * (s2 + s2) * bc};
 }
 
 /// Refraction into a dielectric of relative index eta: the fractions of power transmitted. All zero
@@ -145,15 +159,8 @@ constexpr BlockMueller<V, incident, exitant, F> conductor_reflection(scalar_t<V>
                                                                      const V& eta, const V& k,
                                                                      const F& enter,
                                                                      const F& exit) {
-  V s(0), p(0), re(0), im(0);
-  for (std::size_t i = 0; i < channel_count<V>; ++i) {
-    const auto f = fresnel_conductor(cos_i, channel(eta, i), channel(k, i));
-    set_channel(s, i, f.s);
-    set_channel(p, i, f.p);
-    set_channel(re, i, f.re);
-    set_channel(im, i, f.im);
-  }
-  return fresnel_block(s, p, re, im, enter, exit);
+  const auto f = fresnel_conductor(cos_i, eta, k);
+  return fresnel_block(f.s, f.p, f.re, f.im, enter, exit);
 }
 
 }  // namespace malus
