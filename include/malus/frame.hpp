@@ -182,6 +182,14 @@ MALUS_INLINE void check_one_direction(const Frame<T>&, const Frame<T>&, const ch
 
 }  // namespace detail
 
+/// R(φ) from any common multiple of c = cos φ and s = sin φ; of (0, 0) the identity.
+template <std::floating_point T>
+MALUS_INLINE constexpr Rotation<T> rotation_by(T c, T s) {
+  const T norm2 = c * c + s * s;
+  const T inverse = norm2 > 0 ? 1 / norm2 : 0;
+  return {norm2 > 0 ? (c - s) * (c + s) * inverse : T(1), 2 * c * s * inverse};
+}
+
 /// G F⁻¹, the rotation that expresses in `to` what is expressed in `from`. With c = x·x', s = x'·y
 /// of the two frames, cos 2φ = (c² − s²)/(c² + s²) and sin 2φ = 2cs/(c² + s²): the division keeps
 /// it a rotation where the frames are slightly off, and makes it independent of the axes' lengths.
@@ -190,11 +198,7 @@ template <std::floating_point T>
 MALUS_INLINE Rotation<T> rotation(const Frame<T>& from, const Frame<T>& to,
                                   const char* operation = "rotation") {
   detail::check_one_direction(from, to, operation);
-  const T c = glm::dot(from.x(), to.x());
-  const T s = glm::dot(from.y(), to.x());
-  const T norm2 = c * c + s * s;
-  const T inverse = norm2 > 0 ? 1 / norm2 : 0;
-  return {norm2 > 0 ? (c - s) * (c + s) * inverse : T(1), 2 * c * s * inverse};
+  return rotation_by(glm::dot(from.x(), to.x()), glm::dot(from.y(), to.x()));
 }
 
 template <class Tag>

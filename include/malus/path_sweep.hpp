@@ -56,8 +56,8 @@ class PathSum {
 /// A camera path of polarised light. Keep one a thread: begin() keeps its memory.
 ///
 /// Everything is turned on the way out into the frame that the matrix before it expects light in,
-/// where that overlaps with the tracing of rays, and what is kept is two numbers a vertex instead of
-/// frames. Where that matrix reads the intensity alone, no more than the intensity is kept.
+/// where that overlaps with the tracing of rays, and what is kept is two numbers a vertex instead
+/// of frames. Where that matrix reads the intensity alone, no more than the intensity is kept.
 template <SpectralValue V, RuntimeFrameType F = Frame<scalar_t<V>>>
 class PathSweep {
  public:

@@ -22,6 +22,7 @@ struct Unpolarized {
   using CameraPath = PathSum<V>;  ///< deposits and scatterings of a path, and their result
   using RowPath = PathSum<V>;     ///< one that knows what intensity is read by
   static constexpr bool polarized = false;
+  static constexpr bool defers = false;  ///< matrices are made when light is found behind them
 
   static Light unpolarized(const V& radiance) { return radiance; }
   static Scattering depolarizer(const V& m00) { return m00; }
@@ -55,6 +56,7 @@ struct Polarized {
   using CameraPath = PathSweep<V>;
   using RowPath = RowSweep<V>;
   static constexpr bool polarized = true;
+  static constexpr bool defers = true;
 
   static Light unpolarized(const V& radiance) { return Light::unpolarized(radiance); }
   static auto depolarizer(const V& m00) { return DepolarizingMueller<V>::depolarizing(m00); }

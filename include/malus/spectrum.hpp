@@ -67,8 +67,8 @@ MALUS_INLINE Lanes<T> broadcast(T x) {
     return Lanes<T>{x, x};
 }
 
-/// Of every lane. One instruction where the compiler lets us name it: it makes one of a loop only if
-/// it may forget errno.
+/// Of every lane. One instruction where the compiler lets us name it: it makes one of a loop only
+/// if it may forget errno.
 template <class T>
 MALUS_INLINE Lanes<T> square_root(Lanes<T> x) {
 #if defined(__has_builtin)

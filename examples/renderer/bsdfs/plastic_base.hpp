@@ -60,12 +60,15 @@ struct BasePolarization {
 
   MALUS_INLINE BasePolarization(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
                                 const malus::FresnelTerms<float>& in,
-                                const malus::FresnelTerms<float>& out,
-                                const malus::FramePair<float>& facet) {
-    const auto base_in = MuellerFrame::from_direction_and_x(-incident, glm::cross(incident, normal));
-    const auto base_out = MuellerFrame::from_direction_and_x(exitant, glm::cross(normal, exitant));
-    const auto enter = malus::rotation(facet.enter, base_in);
-    const auto exit = malus::rotation(base_out, facet.exit);
+                                const malus::FresnelTerms<float>& out) {
+    // The facet's x is o × i on both sides, the base's is i × n and n × o. The angles between them
+    // need no axes: (o × i)·(i × n) = (i·n)(i·o) − n·o, (n × o)·(o × i) = (i·o)(n·o) − i·n, and the
+    // sines are the volume of the three directions, n·(i × o), with opposite signs.
+    const float volume = glm::dot(glm::cross(incident, exitant), normal);
+    const float between = glm::dot(incident, exitant);
+    const float cos_i = glm::dot(incident, normal), cos_o = glm::dot(exitant, normal);
+    const auto enter = malus::rotation_by(between * cos_i - cos_o, volume);
+    const auto exit = malus::rotation_by(between * cos_o - cos_i, -volume);
     const float in_1 = in.half_difference(), out_1 = out.half_difference();
     row[0] = in.mean(), row[1] = enter.cos2 * in_1, row[2] = enter.sin2 * in_1;
     column[0] = out.mean(), column[1] = exit.cos2 * out_1, column[2] = -exit.sin2 * out_1;

@@ -88,7 +88,7 @@ struct PolarizedPlastic {
     const Vec3& n = point.normal;
     const auto frames = facet_frames(incident, exitant);
     const BasePolarization polarization(n, incident, exitant, transmission(glm::dot(n, incident)),
-                                        transmission(glm::dot(n, exitant)), frames);
+                                        transmission(glm::dot(n, exitant)));
     return coat_over_base(malus::fresnel_dielectric(reflected_cosine(incident, exitant), eta), coat,
                           frames, polarization, base);
   }

@@ -40,7 +40,8 @@ class BidirectionalIntegrator {
         way_(scene),
         visibility_(scene, counters_),
         lens_(scene, visibility_, counters_),
-        subpath_(scene, counters_) {}
+        subpath_(scene, counters_),
+        path_(counters_) {}
 
   /// Traces a light path, connects its vertices to the lens and appends them to `paths`.
   void trace_light_path(const Iteration<R>& iteration, Sampler& sampler, LightPaths<R, M>& paths,
@@ -74,7 +75,7 @@ class BidirectionalIntegrator {
     ++counters_.samples;
     iteration_ = &iteration;
     light_path_ = light_path;
-    begin<R, M>(path_, scene_);
+    path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
     return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
@@ -130,7 +131,7 @@ class BidirectionalIntegrator {
         if (passes || bsdf.is_sheet()) {
           if (settings.sheets_count && v.edges == settings.max_depth) return;
           if (!passes && !bsdf.is_nothing())
-            path_.scatter(bsdf.template transmit<R>(v.hit, v.exitant));
+            path_.pass(bsdf.template transmit<R>(v.hit, v.exitant));
           way_.pass(ray.direction);
           ray = v.hit.leave(ray.direction);
           if (!settings.sheets_count) --v.edges;
@@ -150,8 +151,8 @@ class BidirectionalIntegrator {
       }
 
       BsdfSample sample;
-      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera,
-                              carried_polarization<R, M>(path_), sampler, sample))
+      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera, path_.polarization(), sampler,
+                              sample))
         return;
       if (techniques_.first_vertex && !sample.is_delta) return;
       if (!v.scatterer.sides_agree(v.hit, sample.direction)) return;
@@ -160,7 +161,7 @@ class BidirectionalIntegrator {
           survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta),
                           v.scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter<R>(path_, v.scatterer, v.hit, v.exitant, sample, 1 / survival, counters_);
+      path_.scatter(v.hit, v.exitant, v.scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
       mis = v.mis;
       mis.scatter(sample, v.scatterer.geometric_cosine(v.hit, sample.direction),
                   iteration_->factors, v.merge);
@@ -278,8 +279,8 @@ class BidirectionalIntegrator {
                               z.mis.connected(at_z.pdf_exitant, z.merge);
     const float w = weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
     const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
-    const auto arriving = visibility_.through(
-        scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light));
+    const auto arriving =
+        visibility_.through(scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light));
     path_.deposit(scatter<R>(z.scatterer, z.hit, to_light, z.exitant, at_z, arriving,
                              path_.reads_polarization()) *
                   (geometry * w));

@@ -19,12 +19,12 @@ template <class R, class M>
 class PathIntegrator {
  public:
   explicit PathIntegrator(const Scene& scene)
-      : scene_(scene), way_(scene), visibility_(scene, counters_) {}
+      : scene_(scene), path_(counters_), way_(scene), visibility_(scene, counters_) {}
 
   /// What the sensor reads of light that arrives along one camera ray.
   malus::Measurement<Rgb> measure(const Ray& ray, Sampler& sampler) {
     ++counters_.samples;
-    begin<R, M>(path_, scene_);
+    path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
     return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
@@ -68,7 +68,7 @@ class PathIntegrator {
       const bool counts = scene_.integrator.sheets_count || !is_passage;
       if (counts && depth + 1 == max_depth) return;
       if (is_passage) {
-        if (sheet) path_.scatter(sheet->template transmit<R>(hit, exitant));
+        if (sheet) path_.pass(sheet->template transmit<R>(hit, exitant));
         if (counts) ++depth;
         way_.pass(ray.direction);
         ray = hit.leave(ray.direction);
@@ -78,8 +78,8 @@ class PathIntegrator {
       if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
       BsdfSample sample;
-      if (!scatterer.sample(hit, exitant, Tracing::from_camera, carried_polarization<R, M>(path_),
-                            sampler, sample))
+      if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(), sampler,
+                            sample))
         return;
       if (!scatterer.sides_agree(hit, sample.direction)) return;
       eta *= sample.eta;
@@ -87,7 +87,7 @@ class PathIntegrator {
           survival_chance(scene_.integrator, depth + 1,
                           path_.throughput() * sample.weight * (eta * eta), scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
-      scatter<R>(path_, scatterer, hit, exitant, sample, 1 / survival, counters_);
+      path_.scatter(hit, exitant, scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
       last = {hit.position, sample.pdf, sample.is_delta};
       ++depth;
       way_.scatter(sample.direction);
@@ -148,8 +148,8 @@ class PathIntegrator {
   }
 
   const Scene& scene_;
-  CameraPath<R, M> path_;
   Counters counters_;
+  CameraPath<R, M> path_;
   Way<M> way_;
   Visibility<R, M> visibility_;
 };

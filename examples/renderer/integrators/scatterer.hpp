@@ -56,9 +56,8 @@ class Scatterer<NoMedia> {
     return bsdf_->value(p, incident, exitant);
   }
   template <class R, class Use>
-  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known,
-                                          Tracing tracing, const BsdfSample& sample, float factor,
-                                          Use&& use) const {
+  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
+                                          const BsdfSample& sample, float factor, Use&& use) const {
     return bsdf_->with_weight<R>(p, known, tracing, sample, factor, use);
   }
   template <class R, class Use>
@@ -110,9 +109,8 @@ class Scatterer<WithMedia> {
     return result;
   }
   template <class R, class Use>
-  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known,
-                                          Tracing tracing, const BsdfSample& sample, float factor,
-                                          Use&& use) const {
+  MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
+                                          const BsdfSample& sample, float factor, Use&& use) const {
     if constexpr (!R::polarized) {
       return use(sample.weight * factor);
     } else {
@@ -144,8 +142,8 @@ class Scatterer<WithMedia> {
   const Medium* medium_ = nullptr;
 };
 
-/// Light that arrives at a point, after scattering in directions whose value() is known. Where it is
-/// depolarised next, no more is made of it than its intensity.
+/// Light that arrives at a point, after scattering in directions whose value() is known. Where it
+/// is depolarised next, no more is made of it than its intensity.
 template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
                           const Vec3& incident, const Vec3& exitant, const BsdfValue& value,
@@ -155,9 +153,9 @@ typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
   } else {
     if (!reads_polarization && R::is_unpolarized(light))
       return R::unpolarized(value.m00 * R::intensity(light));
-    return scatterer.template with_scattering<R>(
-        p, incident, exitant, value,
-        [&](const auto& f) { return R::scatter(f, light, reads_polarization); });
+    return scatterer.template with_scattering<R>(p, incident, exitant, value, [&](const auto& f) {
+      return R::scatter(f, light, reads_polarization);
+    });
   }
 }
 
@@ -166,19 +164,8 @@ template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& known,
                           Tracing tracing, const BsdfSample& sample, float factor,
                           const typename R::Light& light) {
-  return scatterer.template with_weight<R>(
-      p, known, tracing, sample, factor, [&](const auto& f) { return R::scatter(f, light); });
-}
-
-/// A path from the camera goes on in a drawn direction.
-template <class R, class M, class Path>
-void scatter(Path& path, const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& exitant,
-             const BsdfSample& sample, float factor, Counters& counters) {
-  scatterer.template with_weight<R>(p, exitant, Tracing::from_camera, sample, factor,
-                                    [&](const auto& f) {
-                                      if constexpr (R::polarized) counters.count(f);
-                                      path.scatter(f);
-                                    });
+  return scatterer.template with_weight<R>(p, known, tracing, sample, factor,
+                                           [&](const auto& f) { return R::scatter(f, light); });
 }
 
 }  // namespace renderer

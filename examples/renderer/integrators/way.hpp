@@ -5,7 +5,7 @@
 #pragma once
 
 #include "../scene/scene.hpp"
-#include "scatterer.hpp"
+#include "camera_path.hpp"
 
 namespace renderer {
 
@@ -138,26 +138,6 @@ constexpr float arrival_density(const Scatterer<NoMedia>&, const Vec3&,
   return 1;
 }
 
-/// In media, a path from the camera carries the row that intensity is read by, if they polarise.
-template <class R, class M>
-using CameraPath = std::conditional_t<M::present, typename R::RowPath, typename R::CameraPath>;
-
-template <class R, class M>
-void begin(CameraPath<R, M>& path, const Scene& scene) {
-  if constexpr (M::present && R::polarized)
-    path.begin(scene.draws_by_polarization);
-  else
-    path.begin();
-}
-
-/// How the row is polarised that a camera path carries.
-template <class R, class M>
-typename M::Polarization carried_polarization(const CameraPath<R, M>& path) {
-  if constexpr (M::present && R::polarized)
-    return LinearPolarization(path.row());
-  else
-    return {};
-}
 /// How a light path's light is polarised, if that is asked for.
 template <class R, class M>
 typename M::Polarization carried_polarization(const typename R::Light& light, const Scene& scene) {

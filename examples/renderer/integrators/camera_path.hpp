@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// A path from the sensor, as an integrator tells of it: where it is scattered and what light is
+// deposited there. Of polarised light, a scattering's matrix is made when light is found behind it:
+// on a path that finds none, and on the tail of one that finds no more, nothing is evaluated.
+#pragma once
+
+#include <malus/radiometry.hpp>
+#include <vector>
+
+#include "scatterer.hpp"
+
+namespace renderer {
+
+/// Keep one a thread.
+template <class R, class M>
+class CameraPath {
+  /// In media, a path carries the row that intensity is read by, if they polarise.
+  using Sum = std::conditional_t<M::present, typename R::RowPath, typename R::CameraPath>;
+
+ public:
+  explicit CameraPath(Counters& counters) : counters_(counters) {}
+
+  /// With `carries_row`, directions are drawn by what is carried.
+  void begin([[maybe_unused]] bool carries_row) {
+    if constexpr (M::present && R::polarized)
+      sum_.begin(carries_row);
+    else
+      sum_.begin();
+    if constexpr (R::defers) {
+      defers_ = !carries_row;
+      pending_.clear();
+      throughput_ = Rgb(1.0f);
+    }
+  }
+
+  /// The path goes on from a vertex in a drawn direction.
+  MALUS_INLINE void scatter(const SurfacePoint& point, const Vec3& exitant,
+                            const Scatterer<M>& scatterer, const BsdfSample& sample, float factor) {
+    if constexpr (!R::polarized) {
+      sum_.scatter(sample.weight * factor);
+    } else {
+      if (R::defers && defers_) {
+        pending_.push_back({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+        throughput_ *= sample.weight * factor;
+      } else {
+        make({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+      }
+    }
+  }
+  /// Straight on through a sheet.
+  void pass(const typename R::Scattering& sheet) {
+    catch_up();
+    if constexpr (R::defers) throughput_ *= R::m00(sheet);
+    sum_.scatter(sheet);
+  }
+  /// Through a stretch of medium: what is left of light, whatever its polarisation.
+  void attenuate(const Rgb& transmittance) {
+    if constexpr (R::defers) {
+      throughput_ *= transmittance;
+      if (!pending_.empty()) {
+        pending_.back().attenuation *= transmittance;
+        return;
+      }
+    }
+    sum_.attenuate(transmittance);
+  }
+  /// The same where it depends on polarisation.
+  template <class Transmittance>
+  void transmit(const Transmittance& t) {
+    catch_up();
+    if constexpr (R::defers) throughput_ *= t.m00();
+    sum_.transmit(t);
+  }
+
+  MALUS_INLINE void deposit(const typename R::Light& light) {
+    catch_up();
+    sum_.deposit(light);
+  }
+  /// Whether more is read of light that leaves the current vertex than its intensity.
+  bool reads_polarization() {
+    catch_up();
+    return sum_.reads_polarization();
+  }
+
+  Rgb throughput() const {
+    if constexpr (R::defers)
+      if (defers_) return throughput_;
+    return sum_.throughput();
+  }
+  auto result() const { return sum_.result(); }
+
+  /// How the row is polarised that the path carries.
+  typename M::Polarization polarization() const {
+    if constexpr (M::present && R::polarized)
+      return LinearPolarization(sum_.row());
+    else
+      return {};
+  }
+
+ private:
+  struct Scattered {
+    SurfacePoint point;
+    Vec3 exitant;
+    Scatterer<M> scatterer;
+    BsdfSample sample;
+    float factor;
+    Rgb attenuation;  ///< of the way on
+  };
+
+  /// Light has been found, or is to be asked for.
+  MALUS_INLINE void catch_up() {
+    if constexpr (R::defers) {
+      if (pending_.empty()) return;
+      for (const Scattered& s : pending_) {
+        make(s);
+        if constexpr (M::present) sum_.attenuate(s.attenuation);
+      }
+      pending_.clear();
+    }
+  }
+
+  void make(const Scattered& s) {
+    s.scatterer.template with_weight<R>(s.point, s.exitant, Tracing::from_camera, s.sample,
+                                        s.factor, [&](const auto& f) {
+                                          counters_.count(f);
+                                          sum_.scatter(f);
+                                        });
+  }
+
+  Counters& counters_;
+  Sum sum_;
+  bool defers_ = false;
+  std::vector<Scattered> pending_;
+  Rgb throughput_{1.0f};
+};
+
+}  // namespace renderer
