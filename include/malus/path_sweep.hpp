@@ -80,11 +80,12 @@ class PathSweep {
   /// is depolarised next.
   bool reads_polarization() const { return reads_polarization_; }
 
-  template <StokesForm Form>
-  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
+  MALUS_INLINE void deposit(const Light& light) {
     detail::visit_form(light, [&](auto form) MALUS_INLINE_LAMBDA { deposit_as<form()>(light); });
   }
 
+  MALUS_INLINE void scatter(const Scattering& f) { act(f); }
+  /// Of a form that is known when this is compiled.
   template <MuellerForm Form>
   MALUS_INLINE void scatter(const Mueller<V, incident, exitant, F, F, Form>& f) {
     act(f);
@@ -102,10 +103,7 @@ class PathSweep {
 
   /// A stretch of medium is kept as a vertex that light goes straight on from. Of several, the one
   /// that is transmitted through first acts last.
-  template <MuellerForm Form>
-  void transmit(const Mueller<V, exitant, incident, F, F, Form>& t) {
-    act(t);
-  }
+  void transmit(const Transmittance& t) { act(t); }
 
   const V& throughput() const { return throughput_; }
 

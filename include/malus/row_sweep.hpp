@@ -28,14 +28,12 @@ class RowSweep {
     carries_row_ = carries_row;
   }
   bool reads_polarization() const { return sweep_.reads_polarization(); }
-  template <StokesForm Form>
-  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
-    sweep_.deposit(light);
-  }
+  MALUS_INLINE void deposit(const Light& light) { sweep_.deposit(light); }
+  MALUS_INLINE void scatter(const Scattering& f) { scatter_by(f); }
+  /// Of a form that is known when this is compiled.
   template <MuellerForm Form>
   MALUS_INLINE void scatter(const Mueller<V, incident, exitant, F, F, Form>& f) {
-    sweep_.scatter(f);
-    if (carries_row_) row_ = propagate(row_ * f);
+    scatter_by(f);
   }
   void attenuate(const V& transmittance) {
     sweep_.attenuate(transmittance);
@@ -56,6 +54,12 @@ class RowSweep {
   const Row& row() const { return row_; }
 
  private:
+  template <class M>
+  MALUS_INLINE void scatter_by(const M& f) {
+    sweep_.scatter(f);
+    if (carries_row_) row_ = propagate(row_ * f);
+  }
+
   PathSweep<V, F> sweep_;
   Row row_;
   bool carries_row_ = true;

@@ -316,7 +316,8 @@ TEST_CASE("phase: what is polarised is scattered as its S0 says, whichever way a
       BsdfSample sample;
       phase.sample(known, LinearPolarization(light), sampler, sample);
       const Flow flow(known, sample.direction, tracing);
-      const auto f = phase.scattering<R>(flow.incident, flow.exitant, {});
+      const auto f = phase.with_matrix<R>(flow.incident, flow.exitant, Rgb(1.0f),
+                                          [](const auto& m) -> R::Scattering { return m; });
       const float s0 = tracing == Tracing::from_light ? (f * malus::propagate(light)).intensity()[0]
                                                       : (row * f)[0][0];
       // The density that is drawn by is S0 after scattering: its weight is 1, whatever is drawn.

@@ -104,6 +104,21 @@ class Bsdf {
     }
   }
 
+  // The same as flagged matrices.
+
+  template <class R>
+  typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                                const BsdfSample& sample) const {
+    return with_weight<R>(point, known, tracing, sample, 1,
+                          [](const auto& f) -> typename R::Scattering { return f; });
+  }
+  template <class R>
+  typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
+                                    const Vec3& exitant, const BsdfValue& value) const {
+    return with_scattering<R>(point, incident, exitant, value,
+                              [](const auto& f) -> typename R::Scattering { return f; });
+  }
+
   /// What a sheet does to light that passes along a direction.
   template <class R>
   typename R::Scattering transmit(const SurfacePoint& point, const Vec3& light) const {
