@@ -72,17 +72,20 @@ class Explanation {
     begin("Mode");
     const std::size_t all = needs_.elements.size(), matter = needs_.count_mattering();
     const bool with = mode_ == Mode::optimized;
+    const std::string elements = counted(all, "element") + " that can polarise";
+    const std::string some = matter < all ? std::to_string(matter) + " of " + elements + " matter"
+                             : all > 1    ? "all of " + elements + " matter"
+                                          : "what can polarise matters";
     if (with)
-      say("Stokes vectors and Mueller matrices (optimized)" +
-          (asked_ == "auto" ? ", since " + std::to_string(matter) + " of " +
-                                  counted(all, "element") + " that can polarise matter."
-                            : std::string(", as asked for: nothing is skipped.")));
+      say("Stokes vectors and Mueller matrices (optimized), " +
+          (asked_ == "auto" ? "since " + some + "." : "as asked for: nothing is skipped."));
     else
-      say("Intensities alone (unpolarized)" +
-          (asked_ != "auto" ? std::string(", as asked for.")
-           : all == 0       ? std::string(", since nothing polarises.")
-                            : ", since none of " + counted(all, "element") +
-                            " that can polarise matters: S1, S2 and S3 are 0."));
+      say("Intensities alone (unpolarized), " +
+          (asked_ != "auto" ? std::string("as asked for.")
+           : all == 0       ? std::string("since nothing polarises.")
+           : all > 1
+               ? "since none of " + elements + " matters: S1, S2 and S3 are 0."
+               : std::string("since what can polarise doesn't matter: S1, S2 and S3 are 0.")));
     if (asked_ != "auto" && matter > 0 && !with)
       say("S0 differs from that of polarised light, and S1, S2 and S3 are missing: " +
           counted(matter, "element") + " that can polarise would matter.");
@@ -135,9 +138,7 @@ class Explanation {
 
   std::string why_not(const Group& g) const {
     const PolarizingElement& e = *g.first;
-    if (e.only_retards && !e.receives)
-      return "light that arrives there is unpolarised, and what only retards leaves it so";
-    if (e.only_retards) return "nothing reads the polarisation of its light";
+    if (e.only_retards) return "it retards alone, and between nothing else that matters";
     std::string why = "neither the sensor nor anything else that polarises may see " +
                       std::string(g.count == 1 ? "it" : "them");
     if (scene_.integrator.max_depth > 0)

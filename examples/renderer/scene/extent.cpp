@@ -223,14 +223,14 @@ std::vector<Plane> planes_of(const Geometry& geometry, std::uint32_t shape) {
                                        dvec3(mesh.positions[t[2]])};
     const dvec3 n(geometry.face_normal(shape, i));
     const bool two_fronts = has_two_fronts(mesh, i, n);
-    const auto found = std::find_if(planes.begin(), planes.end(), [&](const Plane& p) {
+    auto found = std::find_if(planes.begin(), planes.end(), [&](const Plane& p) {
       return p.holds(n, two_fronts, corners, tolerance);
     });
     if (found == planes.end()) {
       if (planes.size() == most_planes) return {};
-      planes.push_back({n, corners[0], two_fronts, {}});
+      found = planes.insert(planes.end(), Plane{n, corners[0], two_fronts, {}});
     }
-    auto& points = (found == planes.end() ? planes.back() : *found).points;
+    auto& points = found->points;
     for (const dvec3& p : corners)
       if (points.size() > most_points || std::find(points.begin(), points.end(), p) == points.end())
         points.push_back(p);
@@ -293,10 +293,14 @@ Extent extent_of(const Geometry& geometry, std::uint32_t shape, Sides sides, boo
 }
 
 Extent inside_of(const Geometry& geometry, std::uint32_t shape) {
-  const bool is_closed =
-      geometry.is_sphere(shape) ? !geometry.sphere(shape).flipped : is_convex_body(geometry, shape);
-  if (!is_closed) return {{}, true};
-  return {{box_around(geometry, shape)}};
+  if (geometry.is_sphere(shape)) {
+    const Sphere& s = geometry.sphere(shape);
+    if (s.flipped) return {{}, true};
+    return {{Facet::sphere(dvec3(s.center), static_cast<double>(s.radius), true, true, false)},
+            false};
+  }
+  if (!is_convex_body(geometry, shape)) return {{}, true};
+  return {{box_around(geometry, shape)}, false};
 }
 
 }  // namespace renderer

@@ -76,8 +76,8 @@ struct Extent {
 
 /// Of the sides of a shape. A mesh of many planes is the box around it.
 Extent extent_of(const Geometry& geometry, std::uint32_t shape, Sides sides, bool is_masked);
-/// Of what is behind a shape's front: the box around it, or everywhere if light could get out of
-/// there by another way than through the shape.
+/// Of what is behind a shape's front: the ball or the box around it, or everywhere if light could
+/// get out of there by another way than through the shape.
 Extent inside_of(const Geometry& geometry, std::uint32_t shape);
 
 }  // namespace renderer

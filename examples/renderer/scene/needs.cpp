@@ -66,18 +66,18 @@ bool is_wholly_masked(const Material& material) {
 
 class Analysis {
  public:
-  explicit Analysis(const Scene& scene) : scene_(scene), slack_(merge_radius()) {}
+  explicit Analysis(const Scene& scene) : scene_(scene) {}
 
   Needs run() {
     for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) add_shape(i);
     for (const Medium& medium : scene_.media) add_medium(medium);
     needs_.is_too_large = elements().size() > most_elements;
     if (needs_.is_too_large) {
-      for (PolarizingElement& e : elements()) e.receives = e.is_read = e.matters = true;
+      for (PolarizingElement& e : elements()) e.receives = e.matters = true;
     } else {
       find_seen();
       find_exchanges();
-      spread();
+      judge();
     }
     return std::move(needs_);
   }
@@ -85,14 +85,34 @@ class Analysis {
  private:
   std::vector<PolarizingElement>& elements() { return needs_.elements; }
 
-  /// Merging takes light for having arrived where it hasn't, as far as this.
-  double merge_radius() const {
+  /// Merging takes light for having arrived where it hasn't, as far off as its radius.
+  double merge_radius(float part) const {
     const auto techniques = Techniques::named(scene_.integrator.name);
-    if (!techniques || !techniques->merge) return 0;
-    const IntegratorSettings& s = scene_.integrator;
-    const float part =
-        scene_.has_media() ? std::max(s.initial_radius, s.initial_media_radius) : s.initial_radius;
-    return static_cast<double>(part * scene_.geometry.radius());
+    return techniques && techniques->merge ? static_cast<double>(part * scene_.geometry.radius())
+                                           : 0.0;
+  }
+
+  /// How far from it light may have arrived that it is given.
+  double slack(const PolarizingElement& e) const {
+    if (e.kind == Kind::scattering) return merge_radius(scene_.integrator.initial_media_radius);
+    if (e.kind == Kind::extinction || e.bsdf->is_delta()) return 0;
+    const double radius = merge_radius(scene_.integrator.initial_radius);
+    return radius > 0 && !stands_alone(e.shape, radius) ? radius : 0.0;
+  }
+
+  /// Light that arrives so near has arrived at this very element.
+  bool stands_alone(std::uint32_t shape, double distance) const {
+    const Material& material = scene_.shapes[shape].material;
+    if (material.back && material.back != material.front) return false;
+    const auto [low, high] = scene_.geometry.bounds(shape);
+    for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
+      if (i == shape) continue;
+      const auto [other_low, other_high] = scene_.geometry.bounds(i);
+      const Vec3 gap = glm::max(glm::max(other_low - high, low - other_high), Vec3(0.0f));
+      // Boxes are as exact as single precision, which a thousandth is far beyond.
+      if (static_cast<double>(glm::length(gap)) < 1.001 * distance) return false;
+    }
+    return true;
   }
 
   void add_shape(std::uint32_t shape) {
@@ -137,6 +157,7 @@ class Analysis {
 
   void add(const PolarizingElement& element, Extent extent) {
     elements().push_back(element);
+    slacks_.push_back(slack(element));
     extents_.push_back(std::move(extent));
   }
 
@@ -180,8 +201,9 @@ class Analysis {
         // Light, one, the other, and something that turns it to the sensor if that sees neither.
         const int edges = 1 + a.edges + b.edges + (a.is_seen || b.is_seen ? 0 : 1);
         if (!fits(edges)) continue;
-        if (i == j ? !extents_[i].exchanges_with_itself(slack_)
-                   : !extents_[i].exchanges_with(extents_[j], slack_))
+        const double slack = std::max(slacks_[i], slacks_[j]);
+        if (i == j ? !extents_[i].exchanges_with_itself(slack)
+                   : !extents_[i].exchanges_with(extents_[j], slack))
           continue;
         partners_[i].push_back(j);
         if (i != j) partners_[j].push_back(i);
@@ -190,31 +212,26 @@ class Analysis {
       if (!partners_[i].empty()) elements()[i].partner = static_cast<int>(partners_[i].front());
   }
 
-  /// Polarised light from where it is made, and the reading of it from where it is read, along all
-  /// exchanges. What only retards does neither by itself, but hands both on.
-  void spread() {
-    for (PolarizingElement& e : elements()) e.is_read = e.is_seen;
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 0; i < elements().size(); ++i)
-        for (const std::size_t j : partners_[i]) {
-          PolarizingElement& e = elements()[i];
-          const PolarizingElement& other = elements()[j];
-          const bool receives = !other.only_retards || other.receives;
-          const bool is_read = !other.only_retards || other.is_read;
-          changed |= (receives && !e.receives) || (is_read && !e.is_read);
-          e.receives |= receives;
-          e.is_read |= is_read;
-        }
+  void judge() {
+    for (std::size_t i = 0; i < elements().size(); ++i) {
+      PolarizingElement& e = elements()[i];
+      e.receives = std::any_of(partners_[i].begin(), partners_[i].end(),
+                               [&](std::size_t j) { return !elements()[j].only_retards; });
+      e.matters = !e.only_retards && (e.is_seen || e.receives);
     }
-    for (PolarizingElement& e : elements())
-      e.matters = e.only_retards ? e.receives && e.is_read : e.receives || e.is_read;
+    // Light goes straight through what only retards: what sends it polarised light by it and what
+    // reads that behind it see each other without it, too.
+    for (std::size_t i = 0; i < elements().size(); ++i)
+      if (elements()[i].only_retards)
+        elements()[i].matters = std::any_of(
+            partners_[i].begin(), partners_[i].end(),
+            [&](std::size_t j) { return !elements()[j].only_retards && elements()[j].matters; });
   }
 
   const Scene& scene_;
-  const double slack_;
   Needs needs_;
   std::vector<Extent> extents_;                     // by element
+  std::vector<double> slacks_;                      // by element
   std::vector<std::vector<std::size_t>> partners_;  // by element
 };
 

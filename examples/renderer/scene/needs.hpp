@@ -31,7 +31,6 @@ struct PolarizingElement {
   bool is_seen = false;   ///< by the sensor
   int partner = -1;       ///< an element that it exchanges light with, perhaps itself; −1: none
   bool receives = false;  ///< light that may be polarised
-  bool is_read = false;   ///< the polarisation of its light, by the sensor or another element
   bool matters = false;
 };
 

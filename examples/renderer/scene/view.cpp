@@ -23,10 +23,11 @@ View::View(const Scene& scene) : kind_(scene.sensor->kind()), origin_(scene.sens
     direction_ = sensor.ray(Vec2(0.5f)).direction;
     return;
   }
-  // Filters reach beyond the film; a little more is for rounding.
+  // Filters reach beyond the film, from the middle of its last pixels; a little more is for
+  // rounding.
   const FilmSettings& f = scene.film;
   const double w = f.width, h = f.height;
-  const double margin = static_cast<double>(f.filter.radius()) + 1e-3;
+  const double margin = std::max(static_cast<double>(f.filter.radius()) - 0.5, 0.0) + 1e-3;
   const double left = (f.crop_x - margin) / w, right = (f.crop_x + f.crop_width + margin) / w;
   const double top = (f.crop_y - margin) / h, bottom = (f.crop_y + f.crop_height + margin) / h;
   const dvec3 corners[4] = {on_film(sensor, left, top), on_film(sensor, right, top),

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// What a scene needs of polarisation: what is skipped changes no picture, and what nearly could be
+// skipped would.
+#include "scene/needs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "agreement_scenes.hpp"
+#include "render/command_line.hpp"
+#include "scene/view.hpp"
+
+using namespace agreement;
+using glm::dvec3;
+using renderer::Facet;
+using renderer::find_needs;
+using renderer::Needs;
+
+namespace {
+
+using Pixels = std::vector<std::array<double, 12>>;
+
+/// Little noise is asked for, but every path is the same in all modes: no roulette.
+Pixels pixels(const Scene& scene, Mode mode) {
+  const Rendering r = render(scene, 4, mode);
+  Pixels result(static_cast<std::size_t>(r.film.width() * r.film.height()));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (std::size_t c = 0; c < 12; ++c) result[i][c] = r.film.total(i).mean(c);
+  return result;
+}
+
+/// The largest difference, in parts of the brightest pixel.
+double apart(const Pixels& a, const Pixels& b) {
+  double difference = 0, brightest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t c = 0; c < 12; ++c) {
+      difference = std::max(difference, std::abs(a[i][c] - b[i][c]));
+      brightest = std::max(brightest, a[i][c]);
+    }
+  CHECK(brightest > 0);
+  return difference / brightest;
+}
+constexpr double rounding = 1e-5;
+
+Scene small(const std::string& content, const std::string& algorithm) {
+  Scene scene = build(content);
+  renderer::set_integrator(scene.integrator, algorithm);
+  scene.integrator.rr_depth = 100;
+  return scene;
+}
+
+Scene skipping(const std::string& content, const std::string& algorithm, const Needs& needs) {
+  Scene scene = small(content, algorithm);
+  renderer::skip_what_is_not_needed(needs, scene);
+  return scene;
+}
+
+/// One digit for each element, in the file's order: 1 if it matters.
+std::string shown(const Needs& needs) {
+  std::string result;
+  for (const auto& e : needs.elements) result += e.matters ? '1' : '0';
+  return result;
+}
+
+/// Elements matter as `expected`; skipping the others changes nothing, and skipping any one of the
+/// `tight` would be seen.
+void check_needs(const std::string& content, const std::string& expected, const std::string& tight,
+                 const std::vector<std::string>& algorithms = {"path", "bdpt", "vcm"}) {
+  for (const std::string& algorithm : algorithms) {
+    CAPTURE(algorithm);
+    const Scene scene = small(content, algorithm);
+    const Needs needs = find_needs(scene);
+    REQUIRE(shown(needs) == expected);
+    const Pixels all = pixels(scene, Mode::optimized);
+    CHECK(apart(all, pixels(skipping(content, algorithm, needs), Mode::optimized)) < rounding);
+    if (!needs.polarization()) CHECK(apart(all, pixels(scene, Mode::unpolarized)) < rounding);
+    for (std::size_t i = 0; i < tight.size(); ++i) {
+      if (tight[i] == '0') continue;
+      CAPTURE(i);
+      Scene eager = small(content, algorithm);
+      Needs less = find_needs(eager);
+      less.elements[i].matters = false;
+      renderer::skip_what_is_not_needed(less, eager);
+      CHECK(apart(all, pixels(eager, Mode::optimized)) > 10 * rounding);
+    }
+  }
+}
+
+/// In the picture there is a diffuse floor; its camera is at y = −5 and looks along +y.
+const std::string eye = "<sensor type=\"perspective\">" + number("fov", 40) +
+                        "<transform name=\"to_world\">" + look({0, -5, 1}, {0, 0, 1}, {0, 0, 1}) +
+                        "</transform><film type=\"hdrfilm\">" + integer("width", 16) +
+                        integer("height", 16) + "<rfilter type=\"box\"/></film></sensor>\n";
+const std::string room = eye + square({0, 0, 0}, {0, 0, 1}, 6, grey, {0, 1, 0}) +
+                         square({0, 4, 2}, {0, 0, 2}, 4, grey, {0, 0, 1}) +
+                         "<emitter type=\"point\"><point name=\"position\" value=\"1, -3, 3\"/>"
+                         "<rgb name=\"intensity\" value=\"30\"/></emitter>\n";
+const std::string lit_room = room + path_of(5);
+
+}  // namespace
+
+TEST_CASE("needs: what only diffuse surfaces precede is skipped, and the same in view is not") {
+  // Behind the camera, facing the room.
+  const auto mirror = [](double y) { return square({0, y, 1.5}, {0, 0, 1}, 1.5, coat, {0, 0, 1}); };
+  check_needs(lit_room + mirror(-6), "0", "");
+  check_needs(lit_room + mirror(2), "1", "1");
+  // Beside the picture, whose right edge is at x = 5 tan 20° = 1.82 over the origin; and on it.
+  const auto beside = [](double x) { return ball({x, 0, 1}, 0.5, metal); };
+  check_needs(lit_room + beside(2.36), "0", "");
+  check_needs(lit_room + beside(2.34), "1", "", {"path"});
+  check_needs(lit_room + beside(2.3), "1", "1");
+  // The camera sees the back of what reflects on its front alone.
+  const auto turned = [](double y) { return square({0, 0, 1}, {0, y, 1}, 0.5, coat, {0, 0, 1}); };
+  check_needs(lit_room + turned(1), "0", "");
+  check_needs(lit_room + turned(-1), "1", "1");
+}
+
+TEST_CASE("needs: what another polarising element may see is not skipped") {
+  // The ball is in view. The square behind the camera faces away from it, or nearly so.
+  const std::string stand =
+      lit_room + ball({0, 0, 1}, 0.8, metal) + square({0, -9, 2}, {0, -5, 2}, 3, grey, {0, 0, 1});
+  const auto behind = [](double z) {
+    return square({0, -7, 1}, {0, -7 - std::cos(z), 1 + std::sin(z)}, 1.5, coat, {1, 0, 0});
+  };
+  check_needs(stand + behind(0), "10", "1");
+  check_needs(stand + behind(1), "10", "1");
+  check_needs(stand + behind(2.2), "11", "11");
+  // Its top reaches above the square's plane by a tenth.
+  const double tilt = std::asin(0.7 / 7.0);
+  check_needs(stand + behind(pi / 2 - tilt), "11", "1", {"path"});
+  check_needs(stand + behind(pi / 2 - std::asin(0.9 / 7.0)), "10", "1", {"path"});
+}
+
+TEST_CASE("needs: two walls in a plane, and what is behind a wall, are not seen from it") {
+  const auto floor_at = [](double x, double z) {
+    return square({x, -7, z}, {x, -7, z + 1}, 0.5, coat, {0, 1, 0});
+  };
+  check_needs(lit_room + floor_at(-2, 0.5) + floor_at(2, 0.5), "00", "");
+  check_needs(lit_room + floor_at(-2, 0.5) + floor_at(2, 0.1), "00", "");
+  // Face to face, at any distance.
+  const std::string above = square({-2, -7, 2}, {-2, -7, 0}, 0.5, coat, {0, 1, 0});
+  check_needs(lit_room + floor_at(-2, 0.5) + above, "11", "", {"path", "vcm"});
+  check_needs(lit_room + floor_at(-2, 0.5) + floor_at(2, 0.1) + above, "111", "", {"path"});
+}
+
+TEST_CASE("needs: paths that are too long don't count") {
+  const std::string seen = ball({0.5, 0, 0.8}, 0.6, metal), hidden = ball({0, -7, 2}, 0.6, metal);
+  check_needs(
+      room + seen + hidden + path_of(1) + square({0, 3, 1}, {0, 0, 1}, 0.5, black + emits(1)), "00",
+      "");
+  check_needs(room + seen + hidden + path_of(2), "10", "1");
+  check_needs(room + seen + hidden + path_of(3), "11", "1");
+  check_needs(room + hidden + ball({0, -8, 1}, 0.3, metal) + path_of(3), "00", "");
+  check_needs(room + hidden + ball({0, -8, 1}, 0.3, metal) + path_of(4), "11", "");
+}
+
+TEST_CASE("needs: what is never met or takes all light is no element") {
+  const auto masked = [](double opacity) {
+    return ball({0, 0, 1}, 0.8,
+                "<bsdf type=\"mask\">" + number("opacity", opacity) + metal + "</bsdf>");
+  };
+  check_needs(lit_room + masked(0), "", "");
+  check_needs(lit_room + masked(0.3), "1", "1");
+  const auto reflecting = [](double r) {
+    return ball({0, 0, 1}, 0.8,
+                bsdf("pplastic", number("diffuse_reflectance", 0) +
+                                     number("specular_reflectance", r) + number("alpha", 0.3)));
+  };
+  check_needs(lit_room + reflecting(0), "", "");
+  check_needs(lit_room + reflecting(1), "1", "1");
+  CHECK(find_needs(build(lit_room + reflecting(0))).idle.size() == 1);
+}
+
+TEST_CASE("needs: a retarder by itself is skipped, between polarising elements it is not") {
+  const auto sheet = [](double y, const std::string& type) {
+    return square({0, y, 1}, {0, -9, 1}, 2, bsdf(type, number("theta", 20)), {0, 0, 1});
+  };
+  const std::string bent = ball({0, 0, 1}, 0.8, metal);
+  check_needs(lit_room + sheet(-2, "retarder"), "0", "");
+  check_needs(lit_room + sheet(-2, "retarder") + sheet(-1, "retarder"), "00", "");
+  check_needs(lit_room + sheet(-2, "polarizer"), "1", "1");
+  check_needs(lit_room + sheet(-2, "retarder") + bent, "11", "11");
+  check_needs(lit_room + sheet(-2, "retarder") + sheet(-1, "polarizer"), "11", "11");
+  check_needs(lit_room + sheet(-3, "retarder") + sheet(-2, "retarder") + bent, "111", "111",
+              {"path"});
+  // Light that passes it straight meets the ball no more.
+  check_needs(lit_room + sheet(-6, "retarder") + ball({0, -8, 1}, 0.5, metal), "00", "");
+}
+
+TEST_CASE("needs: media count where they are seen, or see themselves") {
+  const auto cloud = [](double x, const std::string& phase) {
+    return "<shape type=\"sphere\"><point name=\"center\" value=\"" + text({x, 0, 1}) + "\"/>" +
+           number("radius", 0.8) + bsdf("null") +
+           "<medium type=\"homogeneous\" name=\"interior\">" + number("sigma_t", 0.7) +
+           number("albedo", 0.9) + "<phase type=\"" + phase + "\"/></medium></shape>\n";
+  };
+  check_needs(room + path_of(5) + cloud(0, "hg"), "", "", {"path"});
+  check_needs(room + path_of(4) + cloud(0, "rayleigh"), "1", "1", {"path", "bdpt"});
+  check_needs(room + path_of(2) + cloud(0, "rayleigh"), "1", "1", {"volpath"});
+  // Not seen: light, a scattering, and the wall; one scattering more.
+  check_needs(room + path_of(3) + cloud(2.8, "rayleigh"), "0", "", {"volpath", "vcm"});
+  check_needs(room + path_of(4) + cloud(2.8, "rayleigh"), "1", "", {"volpath"});
+  // A square turned away from it is in the picture.
+  const std::string before = square({0, -0.9, 1}, {0, -4, 1}, 0.4, coat, {0, 0, 1});
+  check_needs(room + path_of(3) + before + cloud(2.8, "rayleigh"), "10", "1", {"volpath", "bdpt"});
+}
+
+TEST_CASE("needs: photons may be polarised where a rough surface that polarises receives them") {
+  const auto stored = [](const std::string& content) {
+    return find_needs(small(content, "vcm")).stored_polarization();
+  };
+  const std::string glass_ball = ball({-1, 0, 1}, 0.6, glass);
+  CHECK_FALSE(stored(lit_room + glass_ball));
+  CHECK_FALSE(stored(lit_room + square({1, 0, 1}, {1, -1, 1}, 0.5, coat, {0, 0, 1})));
+  CHECK(stored(lit_room + glass_ball + square({1, 0, 1}, {1, -1, 1}, 0.5, coat, {0, 0, 1})));
+}
+
+TEST_CASE("needs: extents tell what is in front of what, and never too much") {
+  const auto wall = [](const dvec3& n, const dvec3& at, renderer::Sides sides) {
+    const dvec3 u = std::abs(n.x) > 0.5 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), v = glm::cross(n, u);
+    return Facet::plane(n, at, {at, at + u, at + v}, sides);
+  };
+  const renderer::Sides front{true, false}, both{true, true};
+  const dvec3 x(1, 0, 0);
+  const Facet a = wall(x, dvec3(0), front), facing = wall(-x, x * 3.0, front);
+  const Facet below = wall(x, -x, front), glass_below = wall(x, -x, both);
+  CHECK(a.exchanges_with(facing, 0));
+  CHECK(facing.exchanges_with(a, 0));
+  CHECK_FALSE(a.exchanges_with(below, 0));
+  CHECK_FALSE(a.exchanges_with(below, 5));  // the same way up, whatever is merged
+  CHECK_FALSE(a.exchanges_with(glass_below, 0));
+  CHECK(a.exchanges_with(glass_below, 1.1));
+  CHECK_FALSE(wall(x, x * 3.0, front).exchanges_with(wall(-x, dvec3(0), front), 0));
+  CHECK_FALSE(a.exchanges_with_itself(5));
+  CHECK_FALSE(glass_below.exchanges_with_itself(0));
+  const Facet mirror_ball = Facet::sphere(x * 2.0, 1, true, false, false);
+  CHECK(a.exchanges_with(mirror_ball, 0));
+  CHECK_FALSE(mirror_ball.exchanges_with_itself(0));
+  CHECK(mirror_ball.exchanges_with_itself(0.1));
+  CHECK_FALSE(mirror_ball.exchanges_with(Facet::box(x * 1.8, x * 2.2), 0));
+  CHECK(mirror_ball.exchanges_with(Facet::box(x * 1.8, x * 3.2), 0));
+  const Facet hollow = Facet::sphere(x * 2.0, 1, false, true, true);
+  CHECK(hollow.exchanges_with_itself(0));
+  CHECK_FALSE(hollow.exchanges_with(a, 0));
+  CHECK(hollow.exchanges_with(a, 1.1));
+  CHECK(Facet::sphere(x * 2.0, 1, false, true, false).exchanges_with(a, 0));
+}
