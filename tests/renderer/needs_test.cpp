@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "agreement_scenes.hpp"
@@ -246,4 +247,105 @@ TEST_CASE("needs: extents tell what is in front of what, and never too much") {
   CHECK_FALSE(hollow.exchanges_with(a, 0));
   CHECK(hollow.exchanges_with(a, 1.1));
   CHECK(Facet::sphere(x * 2.0, 1, false, true, false).exchanges_with(a, 0));
+}
+
+namespace {
+
+struct Said {
+  int status;
+  std::string out, err;
+};
+
+Said malus_render(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "malus-render");
+  std::vector<const char*> argv;
+  for (const auto& a : arguments) argv.push_back(a.c_str());
+  std::ostringstream out, err;
+  const int status = renderer::malus_render(static_cast<int>(argv.size()), argv.data(), out, err);
+  return {status, out.str(), err.str()};
+}
+
+std::string explained(const std::string& scene, const std::string& integrator,
+                      const std::string& mode = "auto") {
+  const Said said = malus_render({std::string(MALUS_SCENES_DIR) + "/" + scene, "--explain",
+                                  "--integrator", integrator, "--mode", mode});
+  CHECK(said.status == 0);
+  CHECK(said.err.empty());
+  return said.out;
+}
+
+}  // namespace
+
+TEST_CASE("needs: --explain says which code runs and why, and renders nothing") {
+  CHECK_MESSAGE_HAS(explained("diffuse.xml", "path"), "unpolarized), since nothing polarises",
+                    "no code for media", "shadow rays end at the first surface", "None are traced");
+  CHECK_MESSAGE_HAS(explained("diffuse.xml", "vcm", "optimized"), "as asked for",
+                    "\"auto\" would render intensities alone");
+  CHECK_MESSAGE_HAS(explained("box.xml", "vcm"), "optimized), since all of 2 elements",
+                    "dielectric (line 98) of the sphere \"glass\" (line 95): matters, since the "
+                    "sensor may see it, and it may exchange light with the sphere \"metal\"",
+                    "a photon", "the intensity alone counts");
+  CHECK_MESSAGE_HAS(explained("glossy.xml", "vcm"), "Its light is a Stokes vector");
+  CHECK_MESSAGE_HAS(explained("box.xml", "path", "unpolarized"), "would matter");
+  CHECK_MESSAGE_HAS(explained("sky_slab.xml", "path"), "what is scattered in \"atmosphere\"",
+                    "drawn by the polarisation that a path carries", "Distances are drawn in");
+  CHECK_MESSAGE_HAS(explained("sugar_jar.xml", "bdpt"), "extinction in \"syrup\"", "2 shapes");
+  CHECK_MESSAGE_HAS(explained("bathroom.xml", "path"), "bathroom/things.xml:", "32 elements",
+                    "texture coordinates of 3 shapes of 44");
+
+  const scene_test::Folder folder;
+  const auto scene =
+      folder.write("scene.xml", scene_test::in_scene(lit_room + ball({0, -8, 1}, 0.5, metal)));
+  const Said hidden = malus_render({scene.string(), "--explain"});
+  CHECK_MESSAGE_HAS(hidden.out, "since what can polarise doesn't matter",
+                    "neither the sensor nor anything else that polarises may see it");
+  CHECK(malus_render({scene.string()}).status == 2);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("needs: --stats counts what was skipped, and what was not") {
+  const scene_test::Folder folder;
+  const std::string out = (folder.path() / "out.exr").string(),
+                    stats = (folder.path() / "stats.json").string();
+  const auto run = [&](const std::string& content, const std::string& mode) {
+    const auto scene = folder.write("scene.xml", scene_test::in_scene(content));
+    REQUIRE(malus_render({scene.string(), "-o", out, "--stats", stats, "--spp", "2", "--integrator",
+                          "vcm", "--mode", mode})
+                .status == 0);
+    std::ifstream file(stats);
+    const auto json = nlohmann::json::parse(file);
+    CHECK(json["connections"]["tried"] == json["connections"]["shadowed"].get<std::uint64_t>() +
+                                              json["connections"]["open"].get<std::uint64_t>());
+    CHECK(json["light_vertices"] == json["stored_light"]["intensity"].get<std::uint64_t>() +
+                                        json["stored_light"]["stokes_vector"].get<std::uint64_t>());
+    return json;
+  };
+  // The hidden square scatters much of the light.
+  const std::string hidden = lit_room + square({0, -7, 2}, {0, 0, 2}, 2, coat, {0, 0, 1});
+  const auto skipped = run(hidden, "auto"), followed = run(hidden, "optimized");
+  CHECK(skipped["mode"] == "unpolarized");
+  CHECK(skipped["polarizing_elements"] == 1);
+  CHECK(skipped["skipped_elements"] == 1);
+  CHECK(skipped["stored_light"]["stokes_vector"] == 0);
+  CHECK(followed["skipped_elements"] == 0);
+  CHECK(followed["stored_light"]["stokes_vector"] > 0);
+  CHECK(followed["connections"]["shadowed"] > 0);
+  CHECK(followed["mueller_forms"]["full"] > 0);
+
+  const auto some = run(hidden + square({0, 1, 1}, {0, -5, 1}, 0.4, coat, {0, 0, 1}) +
+                            square({0, 3, 1}, {0, 9, 1}, 0.4, coat, {0, 0, 1}),
+                        "auto");
+  CHECK(some["mode"] == "optimized");
+  CHECK(some["polarizing_elements"] == 3);
+  CHECK(some["skipped_elements"] == 1);
+  const auto& paths = some["camera_paths"];
+  CHECK(paths["not_evaluated"] > 0);
+  CHECK(paths["not_evaluated"] < paths["scatterings"]);
+
+  // Two walls and no light between them but the lamp's, which most paths meet behind a wall.
+  const auto dark = run(eye + square({0, 0, 0}, {0, 0, 1}, 6, coat, {0, 1, 0}) +
+                            square({0, -3, -2}, {0, -3, -3}, 0.5, black + emits(1)) + path_of(4),
+                        "optimized");
+  CHECK(dark["camera_paths"]["without_light"] == dark["samples"]);
+  CHECK(dark["camera_paths"]["not_evaluated"] == dark["camera_paths"]["scatterings"]);
 }

@@ -4,6 +4,7 @@
 #include <tbb/info.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -117,6 +118,14 @@ Mode resolve_mode(const std::string& name, const Needs& needs) {
   return name == "optimized" || needs.polarization() ? Mode::optimized : Mode::unpolarized;
 }
 
+/// The elements whose polarisation `auto` doesn't follow.
+std::size_t count_skipped(const Needs& needs, Mode mode) {
+  if (mode == Mode::unpolarized) return needs.elements.size();
+  return static_cast<std::size_t>(std::count_if(
+      needs.elements.begin(), needs.elements.end(),
+      [](const auto& e) { return !e.matters && e.kind != PolarizingElement::Kind::extinction; }));
+}
+
 void add_metadata(Image& image, const Arguments& a, const Scene& scene,
                   const RenderOptions& options, const Rendering& rendering) {
   auto& m = image.metadata;
@@ -187,6 +196,8 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
     const int threads = a.threads > 0 ? a.threads : tbb::info::default_concurrency();
     auto json = statistics(scene, options, rendering, frame, threads);
     json["scene"] = a.scene;
+    json["polarizing_elements"] = needs.elements.size();
+    json["skipped_elements"] = a.mode == "auto" ? count_skipped(needs, options.mode) : 0;
     write_file(a.stats, json.dump(2) + "\n");
   }
   if (rendering.counters.non_finite > 0)

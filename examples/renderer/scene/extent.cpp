@@ -252,7 +252,7 @@ bool is_watertight(const TriangleMesh& mesh) {
     return Point{p.x, p.y, p.z};
   };
   for (const auto& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) edges.insert({point(t[i]), point(t[(i + 1) % 3])});
+    for (std::size_t i = 0; i < 3; ++i) edges.insert({point(t[i]), point(t[(i + 1) % 3])});
   return std::all_of(edges.begin(), edges.end(), [&](const std::array<Point, 2>& e) {
     return edges.count(e) == 1 && edges.count({e[1], e[0]}) == 1;
   });
