@@ -89,15 +89,20 @@ void check_needs(const std::string& content, const std::string& expected, const 
   }
 }
 
-/// In the picture there is a diffuse floor; its camera is at y = −5 and looks along +y.
-const std::string eye = "<sensor type=\"perspective\">" + number("fov", 40) +
-                        "<transform name=\"to_world\">" + look({0, -5, 1}, {0, 0, 1}, {0, 0, 1}) +
-                        "</transform><film type=\"hdrfilm\">" + integer("width", 16) +
-                        integer("height", 16) + "<rfilter type=\"box\"/></film></sensor>\n";
-const std::string room = eye + square({0, 0, 0}, {0, 0, 1}, 6, grey, {0, 1, 0}) +
-                         square({0, 4, 2}, {0, 0, 2}, 4, grey, {0, 0, 1}) +
-                         "<emitter type=\"point\"><point name=\"position\" value=\"1, -3, 3\"/>"
-                         "<rgb name=\"intensity\" value=\"30\"/></emitter>\n";
+/// Looks along +y, from y = -5.
+std::string eye_with(const std::string& film) {
+  return "<sensor type=\"perspective\">" + number("fov", 40) + "<transform name=\"to_world\">" +
+         look({0, -5, 1}, {0, 0, 1}, {0, 0, 1}) + "</transform><film type=\"hdrfilm\">" +
+         integer("width", 16) + integer("height", 16) + film + "</film></sensor>\n";
+}
+const std::string eye = eye_with("<rfilter type=\"box\"/>");
+/// A floor and a wall, both diffuse, fill the picture.
+const std::string furniture =
+    square({0, 0, 0}, {0, 0, 1}, 6, grey, {0, 1, 0}) +
+    square({0, 4, 2}, {0, 0, 2}, 4, grey, {0, 0, 1}) +
+    "<emitter type=\"point\"><point name=\"position\" value=\"1, -3, 3\"/>"
+    "<rgb name=\"intensity\" value=\"30\"/></emitter>\n";
+const std::string room = eye + furniture;
 const std::string lit_room = room + path_of(5);
 
 }  // namespace
@@ -112,6 +117,18 @@ TEST_CASE("needs: what only diffuse surfaces precede is skipped, and the same in
   check_needs(lit_room + beside(2.36), "0", "");
   check_needs(lit_room + beside(2.34), "1", "", {"path"});
   check_needs(lit_room + beside(2.3), "1", "1");
+  // A wide filter sees farther, a part of the film less far.
+  const std::string rest = furniture + path_of(5);
+  const std::string wide = "<rfilter type=\"gaussian\">" + number("stddev", 1) + "</rfilter>";
+  check_needs(eye_with(wide) + rest + beside(2.8), "1", "", {"path"});
+  check_needs(eye_with(wide) + rest + beside(4), "0", "");
+  const std::string left = "<rfilter type=\"box\"/>" + integer("crop_width", 8);
+  check_needs(eye_with(left) + rest + beside(0.6), "0", "");
+  check_needs(eye_with(left) + rest + beside(0.3), "1", "1");
+  // A single ray hits or misses.
+  const auto ray = [](double x) { return meter({0, -5, 1}, {x, 0, 1}, {1, 0, 0}); };
+  check_needs(ray(0.95) + rest + beside(0.5), "1", "1", {"path", "bdpt"});
+  check_needs(ray(1.05) + rest + beside(0.5), "0", "", {"path", "bdpt"});
   // The camera sees the back of what reflects on its front alone.
   const auto turned = [](double y) { return square({0, 0, 1}, {0, y, 1}, 0.5, coat, {0, 0, 1}); };
   check_needs(lit_room + turned(1), "0", "");
@@ -128,6 +145,19 @@ TEST_CASE("needs: what another polarising element may see is not skipped") {
   check_needs(stand + behind(0), "10", "1");
   check_needs(stand + behind(1), "10", "1");
   check_needs(stand + behind(2.2), "11", "11");
+  // What has two sides sees the ball behind it; of two with a BSDF each, that counts which does.
+  const auto pane = [&](const std::string& material) {
+    return stand + square({0, -7, 1}, {0, -8, 1}, 1.5, material, {0, 0, 1});
+  };
+  const auto sides = [](const std::string& front, const std::string& back) {
+    return "<bsdf type=\"twosided\">" + front + back + "</bsdf>";
+  };
+  check_needs(pane(sides(coat, "")), "11", "11", {"path", "vcm"});
+  check_needs(pane(sides(coat, grey)), "10", "1", {"path", "vcm"});
+  check_needs(pane(sides(grey, coat)), "11", "11", {"path", "vcm"});
+  check_needs(pane(sides(coat, metal)), "101", "101", {"path"});
+  check_needs(pane(bsdf("roughdielectric")), "11", "1", {"path"});
+  check_needs(pane(bsdf("polarizer")), "11", "1", {"path"});
   // Its top reaches above the square's plane by a tenth.
   const double tilt = std::asin(0.7 / 7.0);
   check_needs(stand + behind(pi / 2 - tilt), "11", "1", {"path"});
@@ -146,6 +176,13 @@ TEST_CASE("needs: two walls in a plane, and what is behind a wall, are not seen 
   check_needs(lit_room + floor_at(-2, 0.5) + floor_at(2, 0.1) + above, "111", "", {"path"});
 }
 
+TEST_CASE("needs: merging gives light to what is near, unless nothing else is") {
+  const auto hidden = [](double z) { return lit_room + ball({0, -5.6, z}, 0.3, metal); };
+  check_needs(hidden(0.31), "0", "", {"path", "bdpt"});
+  check_needs(hidden(0.31), "1", "", {"bpm", "vcm"});
+  check_needs(hidden(0.6), "0", "", {"bpm", "vcm"});
+}
+
 TEST_CASE("needs: paths that are too long don't count") {
   const std::string seen = ball({0.5, 0, 0.8}, 0.6, metal), hidden = ball({0, -7, 2}, 0.6, metal);
   check_needs(
@@ -155,6 +192,12 @@ TEST_CASE("needs: paths that are too long don't count") {
   check_needs(room + seen + hidden + path_of(3), "11", "1");
   check_needs(room + hidden + ball({0, -8, 1}, 0.3, metal) + path_of(3), "00", "");
   check_needs(room + hidden + ball({0, -8, 1}, 0.3, metal) + path_of(4), "11", "");
+  // Sheets count for "path", not for "volpath".
+  const std::string lamp_behind_sheet = square({0, 3, 1}, {0, 0, 1}, 0.5, black + emits(1)) +
+                                        square({0, 1, 1}, {0, 0, 1}, 1, bsdf("polarizer"));
+  check_needs(room + lamp_behind_sheet + path_of(2), "1", "1", {"path", "volpath"});
+  check_needs(room + lamp_behind_sheet + path_of(1), "1", "1", {"volpath"});
+  CHECK(shown(find_needs(small(room + lamp_behind_sheet + path_of(1), "path"))) == "0");
 }
 
 TEST_CASE("needs: what is never met or takes all light is no element") {
@@ -203,6 +246,17 @@ TEST_CASE("needs: media count where they are seen, or see themselves") {
   // Not seen: light, a scattering, and the wall; one scattering more.
   check_needs(room + path_of(3) + cloud(2.8, "rayleigh"), "0", "", {"volpath", "vcm"});
   check_needs(room + path_of(4) + cloud(2.8, "rayleigh"), "1", "", {"volpath"});
+  // In a body with an open side, or around one, it is everywhere.
+  const auto jar = [](const std::string& shape, double x, const std::string& side) {
+    return "<shape type=\"" + shape + "\"><transform name=\"to_world\"><scale value=\"0.5\"/>" +
+           "<translate value=\"" + text({x, 0, 1}) + "\"/></transform>" + bsdf("null") +
+           "<medium type=\"homogeneous\" name=\"" + side + "\">" + number("sigma_t", 0.2) +
+           "<phase type=\"rayleigh\"/></medium></shape>\n";
+  };
+  check_needs(room + path_of(3) + jar("cube", 3, "interior"), "0", "", {"volpath"});
+  check_needs(room + path_of(3) + jar("cube", 2, "interior"), "1", "1", {"volpath"});
+  check_needs(room + path_of(3) + jar("cube", 3, "exterior"), "1", "", {"volpath"});
+  check_needs(room + path_of(3) + jar("rectangle", 3, "interior"), "1", "", {"volpath"});
   // A square turned away from it is in the picture.
   const std::string before = square({0, -0.9, 1}, {0, -4, 1}, 0.4, coat, {0, 0, 1});
   check_needs(room + path_of(3) + before + cloud(2.8, "rayleigh"), "10", "1", {"volpath", "bdpt"});
@@ -247,6 +301,31 @@ TEST_CASE("needs: extents tell what is in front of what, and never too much") {
   CHECK_FALSE(hollow.exchanges_with(a, 0));
   CHECK(hollow.exchanges_with(a, 1.1));
   CHECK(Facet::sphere(x * 2.0, 1, false, true, false).exchanges_with(a, 0));
+
+  // A mesh's normals say which side is the front, where they are all of one mind.
+  using renderer::TriangleMesh;
+  const auto sees = [&](const TriangleMesh& mesh, const dvec3& at) {
+    renderer::Geometry geometry;
+    const auto shape = geometry.add(mesh);
+    const renderer::Extent extent = extent_of(geometry, shape, front, false);
+    return extent.exchanges_with({{Facet::box(at - 0.1, at + 0.1)}}, 0);
+  };
+  TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}};
+  const dvec3 above(0, 0, 1);
+  CHECK(sees(triangle, above));
+  CHECK_FALSE(sees(triangle, -above));
+  triangle.normals = {{0, 0, 1}, {0.5f, 0, 1}, {0, 0.5f, 1}};
+  CHECK_FALSE(sees(triangle, -above));
+  triangle.normals[1] = {0, 0, -1};
+  CHECK(sees(triangle, -above));
+  // Many planes are one box, which sees everything.
+  TriangleMesh fan{{{0, 0, 0}}, {}, {}, {}};
+  for (std::uint32_t i = 0; i < 30; ++i) {
+    const auto turn = static_cast<float>(i) * 0.1f;
+    fan.positions.push_back({std::cos(turn), std::sin(turn), -turn});
+    if (i > 0) fan.triangles.push_back({0, i, i + 1});
+  }
+  CHECK(sees(fan, dvec3(0, 0, -9)));
 }
 
 namespace {

@@ -152,6 +152,10 @@ bool Facet::may_be_met(const dvec3& origin, const dvec3& direction) const {
   const auto [low, high] = bounds();
   const double margin =
       1e-5 * (largest_coordinate(low) + largest_coordinate(high) + largest_coordinate(origin));
+  if (form_ == Form::sphere) {
+    const double along = std::max(glm::dot(origin_ - origin, direction), 0.0);
+    return glm::distance(origin_, origin + along * direction) <= radius_ + margin;
+  }
   double from = 0, to = no_end;
   for (int i = 0; i < 3; ++i) {
     const double a = low[i] - margin - origin[i], b = high[i] + margin - origin[i];

@@ -46,7 +46,7 @@ class Facet {
   double farthest_along(const glm::dvec3& n) const;
   /// A box around it: its least and its greatest coordinates.
   std::array<glm::dvec3, 2> bounds() const;
-  /// Whether a ray meets the box around it.
+  /// Whether a ray of unit direction meets it, or the box around it.
   bool may_be_met(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
  private:
