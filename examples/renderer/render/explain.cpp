@@ -141,9 +141,9 @@ class Explanation {
     if (e.only_retards) return "it retards alone, and between nothing else that matters";
     std::string why = "neither the sensor nor anything else that polarises may see " +
                       std::string(g.count == 1 ? "it" : "them");
-    if (scene_.integrator.max_depth > 0)
-      why +=
-          " on paths of " + counted(static_cast<std::size_t>(scene_.integrator.max_depth), "edge");
+    if (e.is_cut_off)
+      why += " on paths of at most " +
+             counted(static_cast<std::size_t>(scene_.integrator.max_depth), "edge");
     return why;
   }
 

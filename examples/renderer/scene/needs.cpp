@@ -19,6 +19,7 @@ constexpr std::size_t most_elements = 512;
 enum class Effect { none, retards, polarizes };
 
 Effect effect_of(const Bsdf& bsdf) {
+  if (!bsdf.polarizes()) return Effect::none;
   return std::visit(
       []<class B>(const B& b) {
         if constexpr (!B::polarizes)
@@ -188,8 +189,12 @@ class Analysis {
 
   void find_seen() {
     const View view(scene_);
-    for (std::size_t i = 0; i < elements().size(); ++i)
-      elements()[i].is_seen = fits(1 + elements()[i].edges) && view.may_see(extents_[i]);
+    for (std::size_t i = 0; i < elements().size(); ++i) {
+      PolarizingElement& e = elements()[i];
+      const bool may_be_seen = view.may_see(extents_[i]);
+      e.is_seen = may_be_seen && fits(1 + e.edges);
+      e.is_cut_off = may_be_seen && !e.is_seen;
+    }
   }
 
   void find_exchanges() {
@@ -197,14 +202,16 @@ class Analysis {
     partners_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i; j < n; ++j) {
-        const PolarizingElement &a = elements()[i], &b = elements()[j];
-        // Light, one, the other, and something that turns it to the sensor if that sees neither.
-        const int edges = 1 + a.edges + b.edges + (a.is_seen || b.is_seen ? 0 : 1);
-        if (!fits(edges)) continue;
+        PolarizingElement &a = elements()[i], &b = elements()[j];
         const double slack = std::max(slacks_[i], slacks_[j]);
         if (i == j ? !extents_[i].exchanges_with_itself(slack)
                    : !extents_[i].exchanges_with(extents_[j], slack))
           continue;
+        // Light, one, the other, and something that turns it to the sensor if that sees neither.
+        if (!fits(1 + a.edges + b.edges + (a.is_seen || b.is_seen ? 0 : 1))) {
+          a.is_cut_off = b.is_cut_off = true;
+          continue;
+        }
         partners_[i].push_back(j);
         if (i != j) partners_[j].push_back(i);
       }

@@ -32,6 +32,7 @@ struct PolarizingElement {
   int partner = -1;       ///< an element that it exchanges light with, perhaps itself; −1: none
   bool receives = false;  ///< light that may be polarised
   bool matters = false;
+  bool is_cut_off = false;  ///< paths that long are not traced by which it might be seen or receive
 };
 
 /// Light never meets it, or nothing of it goes on: one of a shape's BSDFs.
