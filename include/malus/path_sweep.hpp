@@ -107,6 +107,13 @@ class PathSweep {
 
   const V& throughput() const { return throughput_; }
 
+  /// The scatterings so far, and those of them that result() evaluates: none behind the last
+  /// deposit.
+  std::size_t scatterings() const { return vertices_.size() - 1; }
+  std::size_t evaluated() const { return lit_ > 0 ? lit_ - 1 : 0; }
+  /// No light has been deposited.
+  bool is_dark() const { return lit_ == 0; }
+
   Light result() const {
     if (lit_ == 0) return {};
     Arriving light;

@@ -46,6 +46,9 @@ class RowSweep {
     if (carries_row_) row_ = propagate(row_ * detail::retag<Scattering>(t));
   }
   Light result() const { return sweep_.result(); }
+  std::size_t scatterings() const { return sweep_.scatterings(); }
+  std::size_t evaluated() const { return sweep_.evaluated(); }
+  bool is_dark() const { return sweep_.is_dark(); }
 
   /// The part of unpolarised light at the current vertex that the sensor reads as intensity;
   /// without the row, as if it lost its polarisation at every vertex.

@@ -31,6 +31,7 @@ class Bsdf {
           is_delta_ = B::is_delta;
           polarizes_ = B::polarizes;
           is_sheet_ = is_sheet_kind<B>;
+          is_nothing_ = is_sheet_kind<B> && !B::polarizes;
         },
         kind_);
   }
@@ -41,9 +42,16 @@ class Bsdf {
   /// Light passes straight on: shadow rays go through.
   bool is_sheet() const { return is_sheet_; }
   /// An invisible surface.
-  bool is_nothing() const { return is_sheet_ && !polarizes_; }
+  bool is_nothing() const { return is_nothing_; }
   /// Can make polarised light of unpolarised light, or change polarised light but by a factor.
   bool polarizes() const { return polarizes_; }
+  /// The same for unpolarised light, of which nothing but the intensity counts afterwards: the
+  /// scattering's m00 alone.
+  Bsdf as_depolarizer() const {
+    Bsdf result(*this);
+    result.polarizes_ = false;
+    return result;
+  }
 
   /// Draws the direction that isn't known, by m00; false where no light is scattered.
   bool sample(const SurfacePoint& point, const Vec3& known, Tracing tracing, Sampler& sampler,
@@ -124,9 +132,12 @@ class Bsdf {
   typename R::Scattering transmit(const SurfacePoint& point, const Vec3& light) const {
     return std::visit(
         [&]<class B>(const B& b) -> typename R::Scattering {
-          if constexpr (is_sheet_kind<B>)
+          if constexpr (is_sheet_kind<B>) {
+            if constexpr (R::polarized && B::polarizes)
+              if (!polarizes_)
+                return R::depolarizer(b.template transmit<malus::Unpolarized<Rgb>>(point, light));
             return b.template transmit<R>(point, light);
-          else
+          } else
             return R::depolarizer(Rgb(0.0f));
         },
         kind_);
@@ -134,7 +145,7 @@ class Bsdf {
 
  private:
   Kind kind_;
-  bool is_delta_ = false, is_sheet_ = false, polarizes_ = false;
+  bool is_delta_ = false, is_sheet_ = false, is_nothing_ = false, polarizes_ = false;
 };
 
 }  // namespace renderer

@@ -63,7 +63,9 @@ class BidirectionalIntegrator {
       };
       if ((techniques_.connect && selects_or_all({v.vertex, 1})) || techniques_.lens_alone)
         lens_.connect(v, iteration.light_paths, weigh, sampler, splats);
-      if (!techniques_.lens_alone) paths.vertices.push_back(v);
+      if (techniques_.lens_alone) return;
+      counters_.count_stored(v.light);
+      paths.vertices.push_back(v);
     });
     paths.ends.push_back(paths.vertices.size());
   }
@@ -77,6 +79,7 @@ class BidirectionalIntegrator {
     light_path_ = light_path;
     path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
+    counters_.count_path(path_);
     return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
 

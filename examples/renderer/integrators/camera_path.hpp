@@ -89,6 +89,24 @@ class CameraPath {
   }
   auto result() const { return sum_.result(); }
 
+  /// The scatterings so far, and those of them whose matrices result() multiplies with.
+  std::size_t scatterings() const
+    requires R::defers
+  {
+    return sum_.scatterings() + pending_.size();
+  }
+  std::size_t evaluated() const
+    requires R::defers
+  {
+    return sum_.evaluated();
+  }
+  /// No light has been deposited.
+  bool is_dark() const
+    requires R::defers
+  {
+    return sum_.is_dark();
+  }
+
   /// How the row is polarised that the path carries.
   typename M::Polarization polarization() const {
     if constexpr (M::present && R::polarized)

@@ -23,6 +23,27 @@ struct Counters {
   std::uint64_t light_vertices = 0, merges = 0;
   std::uint64_t non_finite = 0;  ///< readings that were NaN or infinite, and dropped
   std::array<std::uint64_t, malus::mueller_forms> forms{};  ///< of scatterings along camera paths
+  std::uint64_t connections = 0, shadowed = 0;  ///< asked for light's way; found that it is barred
+  // Of polarised light alone:
+  std::uint64_t dark_paths = 0;  ///< from the camera, that no light was deposited on
+  std::uint64_t scatterings = 0, evaluated = 0;  ///< on camera paths; before the last deposit
+  std::uint64_t stored_stokes = 0;               ///< light vertices whose light is polarised
+
+  /// A path from the camera whose result has been read.
+  template <class Path>
+  void count_path(const Path& path) {
+    if constexpr (requires { path.evaluated(); }) {
+      scatterings += path.scatterings();
+      evaluated += path.evaluated();
+      if (path.is_dark()) ++dark_paths;
+    }
+  }
+  /// The light of a vertex that is stored.
+  template <class Light>
+  void count_stored(const Light& light) {
+    if constexpr (requires { light.form(); })
+      if (light.form() == malus::StokesForm::full) ++stored_stokes;
+  }
 
   template <class Scattering>
   MALUS_INLINE void count(const Scattering& f) {
@@ -37,6 +58,12 @@ struct Counters {
     merges += c.merges;
     non_finite += c.non_finite;
     for (std::size_t i = 0; i < forms.size(); ++i) forms[i] += c.forms[i];
+    connections += c.connections;
+    shadowed += c.shadowed;
+    dark_paths += c.dark_paths;
+    scatterings += c.scatterings;
+    evaluated += c.evaluated;
+    stored_stokes += c.stored_stokes;
     return *this;
   }
 };

@@ -26,6 +26,7 @@ class PathIntegrator {
     ++counters_.samples;
     path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
+    counters_.count_path(path_);
     return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
 

@@ -24,10 +24,12 @@ class Visibility {
   /// `most`.
   bool open(const Ray& ray, const Vec3& from, const Vec3& target, int most, Place place,
             Sampler& sampler) {
+    ++counters_.connections;
     begin(from, target);
     ++counters_.shadow_rays;
-    if (scene_.geometry.occluded(ray)) return false;
-    if (scene_.has_passages()) return open_through_passages(ray, target, most, place, sampler);
+    if (scene_.geometry.occluded(ray)) return shadow();
+    if (scene_.has_passages())
+      return open_through_passages(ray, target, most, place, sampler) || shadow();
     fly_to(target, place, sampler);
     return true;
   }
@@ -51,6 +53,11 @@ class Visibility {
   typename Way<M>::Transmittance transmittance() const { return transmittance_; }
 
  private:
+  bool shadow() {
+    ++counters_.shadowed;
+    return false;
+  }
+
   void begin(const Vec3& from, const Vec3& target) {
     if constexpr (M::present) {
       way_ = {from, normalized(target - from), 0};

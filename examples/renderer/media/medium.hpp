@@ -46,10 +46,19 @@ class Medium {
   bool is_homogeneous() const { return !d_.density; }
   /// What is left of light depends on its polarisation.
   bool extinguishes_by_polarization() const { return d_.polarizing.has_value(); }
+  /// Takes more of one polarisation than of another; else it turns and retards at most.
+  bool is_dichroic() const {
+    const auto has_any = [](const Rgb& d) { return d[0] != 0 || d[1] != 0 || d[2] != 0; };
+    return d_.polarizing &&
+           (has_any(d_.polarizing->linear_dichroism) || has_any(d_.polarizing->circular_dichroism));
+  }
   /// Can make polarised light of unpolarised light, or change polarised light but by a factor.
   bool polarizes() const {
     return extinguishes_by_polarization() || (scatters_ && d_.phase.polarizes());
   }
+
+  /// For light that arrives unpolarised, and of which the intensity alone counts afterwards.
+  void depolarize_what_is_scattered() { d_.phase = d_.phase.as_depolarizer(); }
 
   Rgb extinction(const Vec3& point) const {
     return d_.density ? d_.extinction * (*d_.density)(point) : d_.extinction;

@@ -43,6 +43,12 @@ class PhaseFunction {
 
   /// Can make polarised light of unpolarised light.
   bool polarizes() const { return polarizes_; }
+  /// The same for unpolarised light, of which nothing but the intensity counts afterwards.
+  PhaseFunction as_depolarizer() const {
+    PhaseFunction result(*this);
+    result.polarizes_ = false;
+    return result;
+  }
 
   /// p(cos Θ), by solid angle: its mean over the sphere is 1/4π. The densities are sample()'s.
   BsdfValue value(const Vec3& incident, const Vec3& exitant) const {

@@ -4,6 +4,7 @@
 #include <tbb/info.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -15,8 +16,10 @@
 #include "../io/atomic_file.hpp"
 #include "../io/exr.hpp"
 #include "../scene/build.hpp"
+#include "../scene/needs.hpp"
 #include "../scene/requirements.hpp"
 #include "../scene/xml_reader.hpp"
+#include "explain.hpp"
 #include "progress_bar.hpp"
 #include "statistics.hpp"
 
@@ -41,6 +44,7 @@ struct Arguments {
   std::optional<std::uint64_t> samples, seed;
   double seconds = 0;
   int threads = 0;
+  bool explain = false;
 };
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -48,7 +52,7 @@ void add_options(CLI::App& app, Arguments& a) {
                                         std::to_string(MALUS_VERSION_MINOR) + "." +
                                         std::to_string(MALUS_VERSION_PATCH));
   app.add_option("scene", a.scene, "Scene in Mitsuba 3 XML")->required();
-  app.add_option("-o,--output", a.output, "OpenEXR file to write")->required();
+  app.add_option("-o,--output", a.output, "OpenEXR file to write (required, but for --explain)");
   app.add_option(
          "--integrator", a.integrator,
          "Path tracing, light tracing, bidirectional path tracing, progressive or "
@@ -63,7 +67,7 @@ void add_options(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(0, 1 << 20))
       ->type_name("S,T");
   app.add_option("--mode", a.mode,
-                 "auto: follow polarisation if something in the scene polarises; or always "
+                 "auto: follow polarisation where it matters to the picture; or always "
                  "(optimized) or never (unpolarized)")
       ->check(CLI::IsMember({"auto", "unpolarized", "optimized"}))
       ->capture_default_str();
@@ -92,6 +96,9 @@ void add_options(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   app.add_option("--stats", a.stats,
                  "JSON file of counts, rates and, of a radiancemeter, readings");
+  app.add_flag("--explain", a.explain,
+               "Say what the scene needs of polarisation, media and light paths, and why, instead "
+               "of rendering it");
 }
 
 std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& texts) {
@@ -106,9 +113,17 @@ std::map<std::string, std::string> parse_definitions(const std::vector<std::stri
   return definitions;
 }
 
-Mode resolve_mode(const std::string& name, const Scene& scene) {
+Mode resolve_mode(const std::string& name, const Needs& needs) {
   if (name == "unpolarized") return Mode::unpolarized;
-  return name == "optimized" || scene.polarizes ? Mode::optimized : Mode::unpolarized;
+  return name == "optimized" || needs.polarization() ? Mode::optimized : Mode::unpolarized;
+}
+
+/// The elements whose polarisation `auto` doesn't follow.
+std::size_t count_skipped(const Needs& needs, Mode mode) {
+  if (mode == Mode::unpolarized) return needs.elements.size();
+  return static_cast<std::size_t>(std::count_if(
+      needs.elements.begin(), needs.elements.end(),
+      [](const auto& e) { return !e.matters && e.kind != PolarizingElement::Kind::extinction; }));
 }
 
 void add_metadata(Image& image, const Arguments& a, const Scene& scene,
@@ -131,23 +146,34 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene,
   m["malus:seed"] = std::to_string(options.seed);
 }
 
+void check_outputs(const Arguments& a) {
+  if (std::isnan(a.seconds)) throw InputError("--time: nan is not a number of seconds");
+  if (a.explain) return;
+  if (a.output.empty()) throw InputError("-o: the name of an OpenEXR file to write is required");
+  check_writable(a.output);
+  if (a.stats.empty()) return;
+  check_writable(a.stats);
+  if (std::filesystem::weakly_canonical(a.stats) == std::filesystem::weakly_canonical(a.output))
+    throw InputError("--stats " + a.stats + ": the picture is to be written there");
+}
+
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   const auto definitions = parse_definitions(a.definitions);
-  if (std::isnan(a.seconds)) throw InputError("--time: nan is not a number of seconds");
-  check_writable(a.output);
-  if (!a.stats.empty()) {
-    check_writable(a.stats);
-    if (std::filesystem::weakly_canonical(a.stats) == std::filesystem::weakly_canonical(a.output))
-      throw InputError("--stats " + a.stats + ": the picture is to be written there");
-  }
+  check_outputs(a);
   Scene scene = build_scene(*read_scene(a.scene, definitions));
   if (!a.integrator.empty()) set_integrator(scene.integrator, a.integrator);
   if (!a.strategy.empty()) scene.integrator.strategy = Strategy{a.strategy[0], a.strategy[1]};
   check_requirements(scene, a.scene);
   for (const std::string& warning : scene.warnings) err << "warning: " << warning << '\n';
 
+  const Needs needs = find_needs(scene);
   RenderOptions options;
-  options.mode = resolve_mode(a.mode, scene);
+  options.mode = resolve_mode(a.mode, needs);
+  if (a.explain) {
+    out << explanation(scene, needs, a.mode, options.mode, a.scene);
+    return 0;
+  }
+  if (a.mode == "auto" && options.mode == Mode::optimized) skip_what_is_not_needed(needs, scene);
   options.samples_per_pixel =
       a.samples.value_or(static_cast<std::uint64_t>(scene.samples_per_pixel));
   options.seconds = a.seconds;
@@ -170,6 +196,8 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
     const int threads = a.threads > 0 ? a.threads : tbb::info::default_concurrency();
     auto json = statistics(scene, options, rendering, frame, threads);
     json["scene"] = a.scene;
+    json["polarizing_elements"] = needs.elements.size();
+    json["skipped_elements"] = a.mode == "auto" ? count_skipped(needs, options.mode) : 0;
     write_file(a.stats, json.dump(2) + "\n");
   }
   if (rendering.counters.non_finite > 0)

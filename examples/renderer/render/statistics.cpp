@@ -58,9 +58,18 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   if (options.mode == Mode::optimized)
     for (std::size_t i = 0; i < c.forms.size(); ++i) forms[form_names[i]] = c.forms[i];
   json["mueller_forms"] = forms;
+  if (options.mode == Mode::optimized)
+    json["camera_paths"] = {{"without_light", c.dark_paths},
+                            {"scatterings", c.scatterings},
+                            {"not_evaluated", c.scatterings - c.evaluated}};
+  json["connections"] = {
+      {"tried", c.connections}, {"shadowed", c.shadowed}, {"open", c.connections - c.shadowed}};
   // Path and light tracing store none.
   const LightVertexMemory& memory = rendering.light_vertices;
   json["light_vertices"] = c.light_vertices;
+  if (memory.bytes_per_vertex > 0)
+    json["stored_light"] = {{"intensity", c.light_vertices - c.stored_stokes},
+                            {"stokes_vector", c.stored_stokes}};
   json["bytes_per_light_vertex"] = memory.bytes_per_vertex;
   json["bytes_per_photon"] = memory.bytes_per_photon;
   json["light_vertex_memory"] = memory.peak;

@@ -59,6 +59,7 @@ void build_shape(const Object& object, MaterialFactory& materials, MediumFactory
   }
   object.reject_unknown();
   scene.shapes.push_back(shape);
+  scene.shape_origins.push_back({object.type(), object.id(), object.location()});
 }
 
 void build_lights(const Object& root, MediumFactory& media, Scene& scene) {

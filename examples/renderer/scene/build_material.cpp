@@ -111,6 +111,7 @@ Material MaterialFactory::make_anew(const Object& object) {
   } else {
     material.front = &scene_.bsdfs.emplace_back(make_bsdf_kind(object, textures_));
     material.needs.tangent = needs_tangent(*material.front);
+    scene_.bsdf_origins[material.front] = {object.type(), object.id(), object.location()};
   }
   material.needs.uv |= textures_.handed_out() != textures_before;
   object.reject_unknown();

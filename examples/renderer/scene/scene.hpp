@@ -49,6 +49,12 @@ struct Shape {
   }
 };
 
+/// What a scene file calls something, and where; for messages.
+struct Origin {
+  std::string type, id;
+  Location where;
+};
+
 struct Scene {
   Geometry geometry;
   std::vector<Shape> shapes;  ///< by the geometry's numbers
@@ -64,6 +70,8 @@ struct Scene {
   std::vector<const Medium*> light_media;             ///< that the lights send their light into
   std::map<const Medium*, std::string> medium_names;  ///< for messages
   std::vector<Location> light_places;                 ///< where the file has the lights
+  std::vector<Origin> shape_origins;                  ///< by the geometry's numbers
+  std::map<const Bsdf*, Origin> bsdf_origins;         ///< but of those that stand for no <bsdf>
   FilmSettings film;
   IntegratorSettings integrator;
   int samples_per_pixel = 4;
