@@ -5,7 +5,9 @@
 #include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -56,6 +58,7 @@ renderer::Scene load(const Arguments& a, const std::string& name, const std::str
   const std::string size = std::to_string(a.resolution);
   std::map<std::string, std::string> definitions{{"resolution", size}};
   if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
+  if (a.resolution == 0) definitions.clear();
   renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
   renderer::set_integrator(scene.integrator, algorithm);
   renderer::check_requirements(scene, file.string());
@@ -129,7 +132,20 @@ std::vector<std::pair<std::string, std::string>> combinations(const Arguments& a
   return list;
 }
 
+/// How much of the processor others had.
+void print_load(std::chrono::steady_clock::time_point start, std::clock_t start_of_work) {
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double work = static_cast<double>(std::clock() - start_of_work) / CLOCKS_PER_SEC;
+  std::printf(
+      "\nRatios are of processor time, with one thread. Of the %.0f s that all this took, %.0f %% "
+      "were this program's.\n",
+      seconds, 100 * work / seconds);
+}
+
 int measure(const Arguments& a) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start_of_work = std::clock();
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const bool of_paper : {true, false}) {
     const auto list = combinations(a, of_paper);
@@ -143,6 +159,7 @@ int measure(const Arguments& a) {
         json.push_back(to_json(row));
       }
   }
+  if (a.threads == 1) print_load(start, start_of_work);
   if (!a.json.empty()) renderer::write_file(a.json, json.dump(2) + "\n");
   return 0;
 }
@@ -194,8 +211,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
   app.add_option("--threads", a.threads)->check(CLI::Range(1, 4096))->capture_default_str();
-  app.add_option("--resolution", a.resolution, "Of square pictures")
-      ->check(CLI::Range(1, 4096))
+  app.add_option("--resolution", a.resolution, "Of square pictures; 0: the scenes' own")
+      ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   app.add_option("--json", a.json, "File of the same rows");
   app.add_flag("--verify", a.verify,

@@ -45,7 +45,7 @@ Difference compare(const renderer::Scene& scene, Variant a, Variant b) {
 }
 
 double allowed_share(const renderer::Scene& scene) {
-  return scene.draws_by_polarization ? 1e-2 : 0;
+  return scene.draws_by_polarization ? 1e-3 : 0;
 }
 
 }  // namespace variants

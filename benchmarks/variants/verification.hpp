@@ -13,13 +13,13 @@ struct Difference {
   double share = 0;      ///< of values that differ by more than `bound`
   bool is_equal = true;  ///< in every bit
 };
-inline constexpr double bound = 1e-3;
+inline constexpr double bound = 1e-4;
 
 Difference compare(const renderer::Scene& scene, Variant a, Variant b);
 
-/// The share of values that may differ by more than the bound. Where directions are drawn by
-/// polarisation, rounding decides now and then which way a path goes on, and a path of many
-/// scatterings multiplies what rounding has made of its directions.
+/// The share of values that may differ by more than the bound: none where all variants trace the
+/// same paths to the bit. Where directions are drawn by polarisation, rounding decides now and then
+/// which way a path goes on.
 double allowed_share(const renderer::Scene& scene);
 
 }  // namespace variants
