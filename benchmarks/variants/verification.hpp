@@ -7,13 +7,13 @@
 namespace variants {
 
 /// How two pictures of one sample a pixel differ: of each pixel and channel, the largest difference
-/// of the four Stokes components over S0.
+/// of the four Stokes components, over S0 or a hundredth of the picture's mean of it.
 struct Difference {
   double median = 0, largest = 0;
   double share = 0;      ///< of values that differ by more than `bound`
   bool is_equal = true;  ///< in every bit
 };
-inline constexpr double bound = 1e-4;
+inline constexpr double bound = 1e-3;
 
 Difference compare(const renderer::Scene& scene, Variant a, Variant b);
 
