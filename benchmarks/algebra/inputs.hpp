@@ -22,7 +22,7 @@
 #include <malus/mueller.hpp>
 #include <malus/stokes.hpp>
 
-#include "naive.hpp"
+#include "../naive.hpp"
 
 namespace inputs {
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Paths a second of every scene, algorithm and variant, and what following polarisation costs: the
-// ratio to the unpolarized variant, both in one process and in turns.
+// The paper's Table 1 by this renderer, and every other combination of scene and algorithm: paths a
+// second of each variant, and what following polarisation costs, as ratios to the unpolarized one.
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
+
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -10,21 +15,26 @@
 #include "io/atomic_file.hpp"
 #include "io/input_error.hpp"
 #include "measurement.hpp"
+#include "paper.hpp"
 #include "scene/build.hpp"
 #include "scene/requirements.hpp"
 #include "scene/xml_reader.hpp"
+#include "verification.hpp"
 
 namespace {
 
 using variants::Row;
+using variants::Variant;
 
 struct Arguments {
-  std::vector<std::string> scenes{"vcm_box", "diffuse",     "glossy",
-                                  "glass",   "upbp_sphere", "glass_medium"};
+  std::vector<std::string> scenes{"diffuse",  "glossy",          "glass",   "glass_medium",
+                                  "bathroom", "bathroom_medium", "vcm_box", "upbp_sphere"};
   std::vector<std::string> algorithms{"path", "bdpt", "vcm"};
+  std::vector<std::string> variants{"unpolarized", "naive", "optimized", "auto"};
   std::string folder = MALUS_SCENES_DIR, json;
-  double seconds = 8;
-  int rounds = 8, threads = 1, resolution = 512;
+  double seconds = 8, turn = 0.25;
+  int threads = 1, resolution = 256;
+  bool paper_alone = false, verify = false;
 };
 
 /// Another renderer's own speed on its scene, one thread, paths of up to 10 edges, in thousand
@@ -43,59 +53,143 @@ constexpr Anchor anchors[] = {
     {"SmallUPBP", "upbp_sphere", "bdpt", 215},
 };
 
-std::vector<Row> measure(const Arguments& a, const std::string& name,
-                         const std::string& algorithm) {
+renderer::Scene load(const Arguments& a, const std::string& name, const std::string& algorithm) {
   const auto file = std::filesystem::path(a.folder) / (name + ".xml");
-  const std::string resolution = std::to_string(a.resolution);
-  renderer::Scene scene =
-      renderer::build_scene(*renderer::read_scene(file, {{"resolution", resolution}}));
+  const std::string size = std::to_string(a.resolution);
+  std::map<std::string, std::string> definitions{{"resolution", size}};
+  if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
+  if (a.resolution == 0) definitions.clear();
+  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
   renderer::set_integrator(scene.integrator, algorithm);
   renderer::check_requirements(scene, file.string());
-  const std::vector<variants::Variant> list{{"unpolarized", renderer::Mode::unpolarized},
-                                            {"optimized", renderer::Mode::optimized}};
-  auto rows = variants::measure(scene, list, a.seconds, a.rounds, a.threads);
-  for (Row& row : rows) row.scene = name;
-  return rows;
+  return scene;
+}
+
+void print_head(const char* title) {
+  std::printf(
+      "\n%s\n\n| scene | algorithm | variant | iterations in 30 min | 10³ paths/s | ratio to "
+      "unpolarized (95 %%) | the paper's | bytes a light vertex | |\n"
+      "|---|---|---|--:|--:|---|--:|--:|---|\n",
+      title);
 }
 
 void print(const Row& row) {
-  std::printf("| %s | %s | %s | %.0f | %.3f (%.3f to %.3f) | %zu |", row.scene.c_str(),
-              row.algorithm.c_str(), row.variant.c_str(), row.paths_per_second / 1000, row.ratio,
-              row.ratio_low, row.ratio_high, row.bytes_per_light_vertex);
+  const variants::PaperRow* paper = variants::find_in_table_1(row.scene, row.algorithm);
+  std::printf("| %s | %s%s%s | %s | %.0f | %.0f | %.3f (%.3f to %.3f) |", row.scene.c_str(),
+              row.algorithm.c_str(), paper ? ", " : "", paper ? paper->label : "",
+              row.variant.c_str(), static_cast<double>(row.iterations) / row.seconds * 1800,
+              row.paths_per_second / 1000, row.ratio.value, row.ratio.low, row.ratio.high);
+  const double ratio = variants::paper_ratio(paper, row.variant);
+  if (ratio > 0)
+    std::printf(" %.2f |", ratio);
+  else
+    std::printf(" |");
+  if (row.bytes_per_light_vertex > 0)
+    std::printf(" %zu |", row.bytes_per_light_vertex);
+  else
+    std::printf(" |");
   for (const Anchor& anchor : anchors)
     if (row.variant == "unpolarized" && row.scene == anchor.scene &&
         row.algorithm == anchor.algorithm)
       std::printf(" %.2f × %s's %.0f", row.paths_per_second / 1000 / anchor.speed, anchor.renderer,
                   anchor.speed);
   std::printf(" |\n");
+  std::fflush(stdout);
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
-  return {{"scene", row.scene},
-          {"algorithm", row.algorithm},
-          {"variant", row.variant},
-          {"iterations", row.iterations},
-          {"seconds", row.seconds},
-          {"ratio", row.ratio},
-          {"ratio_low", row.ratio_low},
-          {"ratio_high", row.ratio_high},
-          {"paths_per_second", row.paths_per_second},
-          {"bytes_per_light_vertex", row.bytes_per_light_vertex}};
+  nlohmann::ordered_json json{{"scene", row.scene},
+                              {"algorithm", row.algorithm},
+                              {"variant", row.variant},
+                              {"iterations", row.iterations},
+                              {"seconds", row.seconds},
+                              {"ratio", row.ratio.value},
+                              {"ratio_low", row.ratio.low},
+                              {"ratio_high", row.ratio.high},
+                              {"paths_per_second", row.paths_per_second},
+                              {"bytes_per_light_vertex", row.bytes_per_light_vertex}};
+  const double paper =
+      variants::paper_ratio(variants::find_in_table_1(row.scene, row.algorithm), row.variant);
+  json["paper_ratio"] = paper > 0 ? nlohmann::ordered_json(paper) : nlohmann::ordered_json();
+  return json;
 }
 
-int run(const Arguments& a) {
-  std::printf(
-      "| scene | algorithm | variant | 10³ paths/s | ratio to unpolarized (95 %%) | bytes a light "
-      "vertex | |\n|---|---|---|---:|---|---:|---|\n");
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+std::vector<Variant> variants_of(const Arguments& a) {
+  std::vector<Variant> list;
+  for (const std::string& name : a.variants)
+    for (const Variant v : variants::all_variants)
+      if (name == variants::name_of(v)) list.push_back(v);
+  return list;
+}
+
+/// The combinations that are asked for: those of the paper's table, or the others.
+std::vector<std::pair<std::string, std::string>> combinations(const Arguments& a, bool of_paper) {
+  std::vector<std::pair<std::string, std::string>> list;
   for (const auto& scene : a.scenes)
     for (const auto& algorithm : a.algorithms)
-      for (const Row& row : measure(a, scene, algorithm)) {
+      if ((variants::find_in_table_1(scene, algorithm) != nullptr) == of_paper)
+        list.emplace_back(scene, algorithm);
+  return list;
+}
+
+/// How much of the processor others had.
+void print_load(std::chrono::steady_clock::time_point start, std::clock_t start_of_work) {
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double work = static_cast<double>(std::clock() - start_of_work) / CLOCKS_PER_SEC;
+  std::printf(
+      "\nRatios are of processor time, with one thread. Of the %.0f s that all this took, %.0f %% "
+      "were this program's.\n",
+      seconds, 100 * work / seconds);
+}
+
+int measure(const Arguments& a) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start_of_work = std::clock();
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const bool of_paper : {true, false}) {
+    const auto list = combinations(a, of_paper);
+    if (list.empty() || (a.paper_alone && !of_paper)) continue;
+    print_head(of_paper ? "## Table 1 of the paper" : "## The other combinations");
+    for (const auto& [scene, algorithm] : list)
+      for (Row& row : variants::measure(load(a, scene, algorithm), variants_of(a), a.seconds,
+                                        a.turn, a.threads)) {
+        row.scene = scene;
         print(row);
         json.push_back(to_json(row));
       }
+  }
+  if (a.threads == 1) print_load(start, start_of_work);
   if (!a.json.empty()) renderer::write_file(a.json, json.dump(2) + "\n");
   return 0;
+}
+
+/// 1 if a picture differs from one that it should equal.
+int verify(const Arguments& a) {
+  std::printf(
+      "| scene | algorithm | variants | values that differ by more than %.0e | median | largest | "
+      "|\n|---|---|---|--:|--:|--:|---|\n",
+      variants::bound);
+  bool is_right = true;
+  for (const auto& name : a.scenes)
+    for (const auto& algorithm : a.algorithms) {
+      const renderer::Scene scene = load(a, name, algorithm);
+      const auto check = [&](Variant one, Variant other, bool in_every_bit) {
+        const auto d = variants::compare(scene, one, other);
+        const bool holds = in_every_bit ? d.is_equal : d.share <= variants::allowed_share(scene);
+        is_right = is_right && holds;
+        std::printf("| %s | %s | %s, %s | %.5f %% | %.1e | %.1e | %s |\n", name.c_str(),
+                    algorithm.c_str(), variants::name_of(one), variants::name_of(other),
+                    d.share * 100, d.median, d.largest,
+                    !holds         ? "**differ**"
+                    : in_every_bit ? "same bits"
+                                   : "agree");
+        std::fflush(stdout);
+      };
+      check(Variant::optimized, Variant::naive, false);
+      if (!scene.polarizes) check(Variant::unpolarized, Variant::automatic, true);
+    }
+  return is_right ? 0 : 1;
 }
 
 }  // namespace
@@ -106,20 +200,30 @@ int main(int argc, char** argv) {
   app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
   app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
   app.add_option("--algorithm", a.algorithms, "Integrators")->capture_default_str();
+  app.add_option("--variant", a.variants, "The first is what the others are compared with")
+      ->check(CLI::IsMember({"unpolarized", "naive", "optimized", "auto"}))
+      ->capture_default_str();
+  app.add_flag("--paper", a.paper_alone, "The rows of the paper's Table 1 alone");
   app.add_option("--seconds", a.seconds, "For each row")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
-  app.add_option("--rounds", a.rounds, "That the variants take turns in")
-      ->check(CLI::Range(2, 1000))
+  app.add_option("--turn", a.turn, "Seconds after which the next variant takes its turn")
+      ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
   app.add_option("--threads", a.threads)->check(CLI::Range(1, 4096))->capture_default_str();
-  app.add_option("--resolution", a.resolution, "Of square pictures")
-      ->check(CLI::Range(1, 4096))
+  app.add_option("--resolution", a.resolution, "Of square pictures; 0: the scenes' own")
+      ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   app.add_option("--json", a.json, "File of the same rows");
+  app.add_flag("--verify", a.verify,
+               "Measure nothing: check that naive and optimized make the same pictures, and auto "
+               "and unpolarized the same bits where nothing polarises");
   try {
     app.parse(argc, argv);
-    return run(a);
+    const auto threads = static_cast<std::size_t>(a.threads);
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::task_arena arena(a.threads);
+    return arena.execute([&] { return a.verify ? verify(a) : measure(a); });
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   } catch (const renderer::InputError& e) {

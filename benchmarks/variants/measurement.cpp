@@ -2,69 +2,98 @@
 #include "measurement.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <ctime>
+#include <numeric>
 
 namespace variants {
 
 namespace {
 
-/// The quantile 0.975 of Student's t (Abramowitz & Stegun 1964, 26.7.5).
-double student_t(int degrees) {
-  const double z = 1.959964, n = degrees, z3 = z * z * z, z5 = z3 * z * z;
-  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z5 * z * z + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-/// The mean of the rounds' logarithms, since a slow round slows both variants.
-void set_ratio(const std::vector<double>& logs, Row& row) {
-  const auto n = static_cast<double>(logs.size());
-  double mean = 0, square = 0;
-  for (const double x : logs) mean += x / n;
-  for (const double x : logs) square += (x - mean) * (x - mean);
-  const double error = logs.size() > 1 ? std::sqrt(square / (n - 1) / n) *
-                                             student_t(static_cast<int>(logs.size()) - 1)
-                                       : 0;
-  row.ratio = std::exp(mean);
-  row.ratio_low = std::exp(mean - error);
-  row.ratio_high = std::exp(mean + error);
+/// One variant's rendering, with all it keeps from one iteration to the next.
+class Session {
+ public:
+  Session(Variant variant, const renderer::Scene& scene, bool of_processor)
+      : film_(scene.film.crop_width, scene.film.crop_height, 1),
+        passes_(make_passes(variant, scene, 1, film_)),
+        of_processor_(of_processor) {}
+
+  /// The seconds that the next iterations take.
+  double run(std::uint64_t iterations) {
+    const std::uint64_t last = done_ + iterations;
+    const double start = now();
+    passes_->run(done_, last, [] { return false; });
+    const double taken = now() - start;
+    done_ = last;
+    return taken;
+  }
+  const renderer::Passes& passes() const { return *passes_; }
+
+ private:
+  double now() const { return of_processor_ ? processor_seconds() : clock_seconds(); }
+
+  renderer::Film film_;
+  std::unique_ptr<renderer::Passes> passes_;
+  bool of_processor_;
+  std::uint64_t done_ = 0;
+};
+
+/// Who is in place k of a round of n: rounds are the rows of a square in which everyone is in every
+/// place once and follows everyone else equally often (Williams 1949); of odd n, of that and of its
+/// mirror image.
+std::size_t who(std::size_t round, std::size_t k, std::size_t n) {
+  if (n % 2 == 1 && round / n % 2 == 1) k = n - 1 - k;
+  const std::size_t zigzag = k % 2 == 1 ? (k + 1) / 2 : (n - k / 2) % n;
+  return (zigzag + round) % n;
 }
 
 }  // namespace
 
 std::vector<Row> measure(const renderer::Scene& scene, const std::vector<Variant>& variants,
-                         double seconds, int rounds, int threads) {
-  const std::atomic<bool> stop{false};
-  std::vector<Row> rows(variants.size());
-  std::vector<std::vector<double>> logs(variants.size());
-  std::vector<std::uint64_t> paths(variants.size(), 0);
-  // The first round warms caches and the processor up and is not counted.
-  for (int round = -1; round < rounds; ++round) {
-    std::vector<double> rates(variants.size());
-    for (std::size_t k = 0; k < variants.size(); ++k) {
-      const std::size_t i = round % 2 == 0 ? k : variants.size() - 1 - k;
-      renderer::RenderOptions options;
-      options.mode = variants[i].mode;
-      options.seconds = seconds / rounds;
-      options.seed = static_cast<std::uint64_t>(round + 1);
-      options.threads = threads;
-      const renderer::Rendering r = renderer::render(scene, options, stop, {});
-      rates[i] = static_cast<double>(r.counters.samples) / r.seconds;
-      if (round < 0) continue;
-      rows[i].iterations += r.samples_per_pixel;
-      rows[i].seconds += r.seconds;
-      rows[i].bytes_per_light_vertex = r.light_vertices.bytes_per_vertex;
-      paths[i] += r.counters.samples;
-    }
-    if (round < 0) continue;
-    for (std::size_t i = 0; i < variants.size(); ++i)
-      logs[i].push_back(std::log(rates[i] / rates[0]));
+                         double seconds, double turn, int threads) {
+  const std::size_t n = variants.size();
+  std::vector<std::unique_ptr<Session>> sessions;
+  // The first iteration takes memory, and the second tells how long the others will take.
+  double longest = 0;
+  for (const Variant v : variants) {
+    sessions.push_back(std::make_unique<Session>(v, scene, threads == 1));
+    sessions.back()->run(1);
+    longest = std::max(longest, sessions.back()->run(1));
   }
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    rows[i].variant = variants[i].name;
-    rows[i].algorithm = scene.integrator.name;
-    rows[i].paths_per_second = static_cast<double>(paths[i]) / rows[i].seconds;
-    set_ratio(logs[i], rows[i]);
+  const auto iterations =
+      static_cast<std::uint64_t>(std::max(1.0, std::floor(turn / std::max(longest, 1e-6))));
+
+  std::vector<std::uint64_t> warm;  // samples that are not counted
+  for (const auto& s : sessions) warm.push_back(s->passes().counters().samples);
+  std::vector<std::vector<double>> taken(n);
+  const double start = clock_seconds();
+  for (std::size_t round = 0;
+       round < least_pairs || clock_seconds() - start < seconds * static_cast<double>(n); ++round)
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = who(round, k, n);
+      taken[i].push_back(sessions[i]->run(iterations));
+    }
+
+  std::vector<Row> rows(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Row& row = rows[i];
+    const renderer::Passes& passes = sessions[i]->passes();
+    row.variant = name_of(variants[i]);
+    row.algorithm = scene.integrator.name;
+    row.iterations = taken[i].size() * iterations;
+    row.seconds = std::accumulate(taken[i].begin(), taken[i].end(), 0.0);
+    const auto paths = static_cast<double>(passes.counters().samples - warm[i]);
+    row.paths_per_second = paths / row.seconds;
+    row.bytes_per_light_vertex = passes.light_vertices().bytes_per_vertex;
+    if (i > 0) row.ratio = ratio_of(taken[0], taken[i]);
   }
   return rows;
 }

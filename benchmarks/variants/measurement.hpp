@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Renderings of one scene by several variants that take turns, so that a drifting clock cancels.
+// Renderings of one scene by several variants that take turns in one process.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "render/render.hpp"
+#include "ratio.hpp"
+#include "variant.hpp"
 
 namespace variants {
 
-struct Variant {
-  std::string name;
-  renderer::Mode mode;
-};
-
 struct Row {
   std::string scene, algorithm, variant;
-  std::uint64_t iterations = 0;
+  std::uint64_t iterations = 0;  ///< samples of every pixel
+  /// That they took: of the processor where there is one thread, which doesn't count what others
+  /// take from it; else on the clock.
   double seconds = 0;
   double paths_per_second = 0;
-  double ratio = 1, ratio_low = 1, ratio_high = 1;  ///< to the first variant; 95 % interval
+  Ratio ratio;  ///< of paths a second, to the first variant's
   std::size_t bytes_per_light_vertex = 0;
 };
 
-/// `rounds` rounds, in each of which every variant renders for `seconds`/`rounds` (and one whole
-/// iteration at least). Ratios are of paths per second.
+/// In every round each variant renders the same iterations, and so the same paths. A turn takes
+/// `turn` seconds or one iteration, the longer of the two; rounds go on until they have taken
+/// `seconds` on the clock for each variant, and until there are least_pairs of them. What a
+/// rendering keeps from one iteration to the next is set up before.
 std::vector<Row> measure(const renderer::Scene& scene, const std::vector<Variant>& variants,
-                         double seconds, int rounds, int threads);
+                         double seconds, double turn, int threads);
 
 }  // namespace variants

@@ -4,8 +4,9 @@
 
 namespace renderer {
 
-template Rendering render_with<WithMedia>(const Scene&, const RenderOptions&,
-                                          const std::atomic<bool>&,
-                                          const std::function<void(const Progress&)>&);
+std::unique_ptr<Passes> make_media_passes(const Scene& scene, const RenderOptions& options,
+                                          Film& film) {
+  return make_passes_with<WithMedia>(scene, options, film);
+}
 
 }  // namespace renderer
