@@ -182,12 +182,14 @@ MALUS_INLINE void check_one_direction(const Frame<T>&, const Frame<T>&, const ch
 
 }  // namespace detail
 
-/// R(φ) from any common multiple of c = cos φ and s = sin φ; of (0, 0) the identity.
+/// R(φ) from any common multiple of c = cos φ and s = sin φ; of (0, 0) the identity. By quotients:
+/// products with 1/n, n just below 1, are rounded up again and again, and over long chains the
+/// degree of polarisation grows.
 template <std::floating_point T>
 MALUS_INLINE constexpr Rotation<T> rotation_by(T c, T s) {
   const T norm2 = c * c + s * s;
-  const T inverse = norm2 > 0 ? 1 / norm2 : 0;
-  return {norm2 > 0 ? (c - s) * (c + s) * inverse : T(1), 2 * c * s * inverse};
+  if (!(norm2 > 0)) return {};
+  return {(c - s) * (c + s) / norm2, 2 * c * s / norm2};
 }
 
 /// G F⁻¹, the rotation that expresses in `to` what is expressed in `from`. With c = x·x', s = x'·y
