@@ -79,7 +79,8 @@ struct Row {
   std::string operation, precision, turning, build;
   double nanoseconds = 0;
   double ulp_max = 0, ulp_rms = 0, relative_rms = 0;
-  double degree_max = 0, degree_rms = 0;  ///< of the degree of polarisation's relative error
+  double degree_max = 0, degree_rms = 0,
+         degree_mean = 0;  ///< of the degree of polarisation's relative error
   bool has_degree = false;
 };
 
@@ -88,17 +89,19 @@ double last_place(double value, bool is_double) {
   return std::ldexp(1.0, std::ilogb(value) - (is_double ? 52 : 23));
 }
 
-/// Running maximum and root of the mean square.
+/// Of errors: the greatest, the mean and the root of the mean square.
 struct Spread {
-  double most = 0, square = 0;
+  double most = 0, square = 0, sum = 0;
   std::size_t count = 0;
 
   void add(double value) {
     // A NaN is not to be passed over.
-    most = value <= most ? most : value;
+    most = std::abs(value) <= most ? most : std::abs(value);
     square += value * value;
+    sum += value;
     ++count;
   }
+  double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
   double rms() const { return count > 0 ? std::sqrt(square / static_cast<double>(count)) : 0; }
 };
 
@@ -152,7 +155,7 @@ void judge(Operation operation, bool is_double, const std::vector<double>& resul
         got[k] = static_cast<Exact>(results[i * size + place(operation, k, c)]);
         right[k] = exact[i][place(operation, k, c)];
       }
-      if (degree_of(right) > 0.05) degree.add(std::abs(degree_error(got, right)));
+      if (degree_of(right) > 0.05) degree.add(degree_error(got, right));
     }
   row.ulp_max = ulps.most;
   row.ulp_rms = ulps.rms();
@@ -160,6 +163,7 @@ void judge(Operation operation, bool is_double, const std::vector<double>& resul
   row.has_degree = gives_light(operation);
   row.degree_max = degree.most;
   row.degree_rms = degree.rms();
+  row.degree_mean = degree.mean();
 }
 
 /// All turnings and builds of an operation in one precision.
@@ -177,9 +181,16 @@ std::vector<Row> measure(const Arguments& a, const Task& task, bool is_double) {
   const std::size_t turnings = task.turns ? std::size(turning_names) : 1;
   std::vector<Row> rows;
   std::vector<double> results(count * result_count(task.operation));
-  Request request{
-      task.operation,    Turning::divided, is_double, operands.data(), count, elements.data(),
-      task.chain_length, results.data(),   0};
+  Request request{task.operation,
+                  Turning::divided,
+                  is_double,
+                  operands.data(),
+                  count,
+                  elements.data(),
+                  task.chain_length,
+                  results.data(),
+                  0,
+                  0};
   for (std::size_t i = 0; i < turnings * std::size(builds); ++i) {
     const std::size_t turning = i / std::size(builds);
     const Build& build = builds[i % std::size(builds)];
@@ -195,6 +206,7 @@ std::vector<Row> measure(const Arguments& a, const Task& task, bool is_double) {
   for (int round = 0; round < a.rounds; ++round)
     for (std::size_t i = 0; i < rows.size(); ++i) {
       request.turning = static_cast<Turning>(i / std::size(builds));
+      request.shift = static_cast<std::size_t>(round);
       const double time = builds[i % std::size(builds)].entry(request);
       rows[i].nanoseconds = round == 0 ? time : std::min(rows[i].nanoseconds, time);
     }
@@ -206,9 +218,9 @@ void print(const Row& row) {
               row.precision.c_str(), row.turning.c_str(), row.build.c_str(), row.nanoseconds,
               row.ulp_max, row.ulp_rms, row.relative_rms);
   if (row.has_degree)
-    std::printf(" %.1e | %.1e |\n", row.degree_max, row.degree_rms);
+    std::printf(" %.1e | %.1e | %+.1e |\n", row.degree_max, row.degree_rms, row.degree_mean);
   else
-    std::printf(" | |\n");
+    std::printf(" | | |\n");
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
@@ -219,6 +231,7 @@ nlohmann::ordered_json to_json(const Row& row) {
   if (row.has_degree) {
     json["dop_max"] = row.degree_max;
     json["dop_rms"] = row.degree_rms;
+    json["dop_mean"] = row.degree_mean;
   }
   return json;
 }
@@ -227,7 +240,7 @@ int run(const Arguments& a) {
   if (!a.json.empty()) renderer::check_writable(a.json);
   std::printf(
       "| operation | precision | rotations | build | ns | ulp, max | ulp, rms | relative error, "
-      "rms | DoP off by, max | rms |\n|---|---|---|---|--:|--:|--:|--:|--:|--:|\n");
+      "rms | DoP off by, max | rms | mean |\n|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n");
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Task& task : tasks)
     for (const bool is_double : {false, true}) {

@@ -184,10 +184,10 @@ constexpr std::size_t timed = 16;
 
 template <class T, class Compute>
 double measure_each(const Request& request, const Compute& compute) {
-  std::vector<Operand<T>> operands;
   const std::size_t count = request.results ? request.count : std::min(timed, request.count);
-  operands.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) operands.emplace_back(request.operands[i]);
+  std::vector<Operand<T>> list(request.shift, Operand<T>(request.operands[0]));
+  for (std::size_t i = 0; i < count; ++i) list.emplace_back(request.operands[i]);
+  const Operand<T>* operands = list.data() + request.shift;
   if (request.results)
     for (std::size_t i = 0; i < count; ++i)
       store(compute(operands[i]), request.results + i * result_count(request.operation));
@@ -213,21 +213,21 @@ Light<T> run_chain(const Light<T>& light, const Block<T>* elements, std::size_t 
 
 template <Turning How, class T>
 double measure_chains(const Request& request) {
-  std::vector<Block<T>> elements;
   const std::size_t length = request.chain_length;
   const std::size_t chains = request.results ? request.count : 1;
-  elements.reserve(chains * length);
+  std::vector<Block<T>> list(request.shift);
   for (std::size_t i = 0; i < chains * length; ++i) {
     const Element& e = request.elements[i];
-    elements.push_back(Block<T>::block(to_rgbs<T>(e.upper), to_rgbs<T>(e.lower),
-                                       to_frame<T>(e.enter), to_frame<T>(e.exit)));
+    list.push_back(Block<T>::block(to_rgbs<T>(e.upper), to_rgbs<T>(e.lower), to_frame<T>(e.enter),
+                                   to_frame<T>(e.exit)));
   }
+  const Block<T>* elements = list.data() + request.shift;
   const auto run = [&](std::size_t chain) {
     const Operand<T> start(request.operands[chain]);
     // Light starts where its chain does.
     const Light<T> light(start.light[0], start.light[1], start.light[2], start.light[3],
                          elements[chain * length].enter());
-    return run_chain<How>(light, elements.data() + chain * length, length);
+    return run_chain<How>(light, elements + chain * length, length);
   };
   if (request.results)
     for (std::size_t i = 0; i < chains; ++i)
@@ -239,7 +239,7 @@ double measure_chains(const Request& request) {
   return time_passes(request.seconds,
                      [&] {
                        alignas(1024) const Light<T> result =
-                           run_chain<How>(light, elements.data(), length);
+                           run_chain<How>(light, elements, length);
                        escape(&result);
                      }) /
          static_cast<double>(length);

@@ -58,6 +58,8 @@ struct Request {
   /// Of all operands, or all chains. Null: only the time is asked for.
   double* results;
   double seconds;  ///< to measure for
+  /// Where in memory operands start, in their own size: some places happen to cost more.
+  std::size_t shift;
 };
 
 /// How many results an operand (a chain) has: rotations cos 2φ, sin 2φ; light by component, then
