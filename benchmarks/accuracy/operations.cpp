@@ -163,20 +163,23 @@ void store(const Q& q, double* out) {
 /// The compiler has to assume that what the pointer points to is read.
 inline void escape(const void* pointer) { asm volatile("" : : "g"(pointer) : "memory"); }
 
-/// Calls pass() for so many seconds and gives the nanoseconds of one call.
+/// Calls pass() for so many seconds and gives the nanoseconds of one call: the least of batches
+/// that are shorter than other programs' turns on the processor.
 template <class Pass>
 double time_passes(double seconds, Pass&& pass) {
   using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  pass();
-  for (std::size_t passes = 1;; passes *= 2) {
+  const auto batch = [&](std::size_t passes) {
     const auto start = Clock::now();
     for (std::size_t i = 0; i < passes; ++i) pass();
-    const double taken = since(start);
-    if (taken >= seconds / 2) return taken / static_cast<double>(passes) * 1e9;
-  }
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  constexpr double shortest = 30e-6;
+  std::size_t passes = 1;
+  while (batch(passes) < shortest) passes *= 2;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  double least = batch(passes);
+  while (Clock::now() < end) least = std::min(least, batch(passes));
+  return least / static_cast<double>(passes) * 1e9;
 }
 
 /// Few enough for the first-level cache, too many for the compiler to know.

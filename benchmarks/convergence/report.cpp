@@ -24,6 +24,8 @@ std::string digits(double value) {
 }
 
 std::string error_text(const Point& p, std::size_t quantity, const Reference& reference) {
+  const bool nothing = p.error(quantity) == 0 && reference.standard_error()[quantity] == 0;
+  if (nothing) return "0";
   if (!p.resolved(quantity, reference)) return "(≤ reference's)";
   return digits(p.error(quantity)) + " ± " + digits(p.spread(quantity));
 }
