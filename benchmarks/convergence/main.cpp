@@ -20,6 +20,7 @@
 // so is what S0 owes to polarisation.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -126,7 +127,15 @@ nlohmann::ordered_json settings(const Arguments& a) {
           {"resolution", a.resolution}, {"seed", a.seed},       {"targets", a.targets}};
 }
 
+/// CLI11's ranges let it pass.
+void reject_nan(const char* option, double value) {
+  if (std::isnan(value)) throw renderer::InputError(std::string(option) + ": nan is no number");
+}
+
 int run(const Arguments& a) {
+  reject_nan("--seconds", a.seconds);
+  reject_nan("--reference-seconds", a.reference_seconds);
+  for (const double target : a.targets) reject_nan("--target", target);
   if (!a.json.empty()) renderer::check_writable(a.json);
   ReferencePlan plan;
   plan.batches = a.batches;
@@ -179,7 +188,7 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--reference", a.recipes,
                  "How the two halves of the reference are made, as in: bdpt vcm:0.25, the latter "
                  "with merges' radii a quarter of the scene's (default: bdpt path; with smooth "
-                 "glass bdpt vcm:0.25)")
+                 "glass bdpt vcm:0.25; what is lit through glass alone wants vcm twice)")
       ->expected(2);
   app.add_option("--reference-seconds", a.reference_seconds,
                  "Of each half (default: 30 times --seconds)")
