@@ -20,6 +20,8 @@ COLOURS = {"path": "#1f77b4", "ptracer": "#8c564b", "bdpt": "#2ca02c", "ppm": "#
 DASHES = {"optimized": 1, "unpolarized": "'-'", "auto": "'.'"}
 TITLES = {"S0": "S0", "S1": "S1", "S2": "S2", "S3": "S3", "S1-S3": "S1 to S3", "DoP": "degree of polarisation"}
 
+TICS = ", ".join(f"{digit}e{power}" for power in range(-5, 5) for digit in (1, 2, 5))
+
 
 def points(row, quantity):
     """(seconds, error, spread, above the reference) of every point with an error above zero."""
@@ -45,8 +47,7 @@ def panel(scene, rows, reference, quantity, keyed):
         data += block(name, [f"{t} {e} {max(e - s, e / 10)} {e + s}" for t, e, s, _ in listed])
         data += block(name + "h", [f"{t} {e}" for t, e, _, above in listed if not above] or ["NaN NaN"])
         colour, dash = COLOURS.get(row["algorithm"], "black"), DASHES.get(row["variant"], 1)
-        title = f'title "{row["algorithm"]}"' if keyed and row["variant"] == rows[0]["variant"] else "notitle"
-        plots.append(f'${name} using 1:2 with lines lc rgb "{colour}" dt {dash} lw 1.6 {title}')
+        plots.append(f'${name} using 1:2 with lines lc rgb "{colour}" dt {dash} lw 1.6 notitle')
         plots.append(f'${name} using 1:2:3:4 with yerrorbars lc rgb "{colour}" pt 7 ps 0.35 lw 1 notitle')
         plots.append(f'${name}h using 1:2 with points lc rgb "white" pt 7 ps 0.25 notitle')
     if not seen:
@@ -58,22 +59,29 @@ def panel(scene, rows, reference, quantity, keyed):
     # From the middle of the first points down.
     start = math.exp(sum(math.log(e) for e in errors) / len(errors)) * math.sqrt(math.sqrt(x1 / x0))
     commands = [f"set xrange [{x0}:{x1}]", f"set yrange [{y0}:{y1}]", f'set title "{scene}: {TITLES[quantity]}" noenhanced']
-    commands += ["unset key" if not keyed else "set key top right samplen 1.5 spacing 0.9 noenhanced"]
+    commands += ["unset key" if not keyed else "set key bottom left Left reverse samplen 1.5 spacing 0.9 noenhanced"]
     plots.insert(0, f'{start}*sqrt({x0}/x) with lines lc rgb "black" lw 0.7 ' + ('title "power -1/2"' if keyed else "notitle"))
     if own > 0:
         plots.insert(0, f'{own} with filledcurves y1={y0} fc rgb "#e8e8e8" notitle')
+    for algorithm in dict.fromkeys(r["algorithm"] for r in rows) if keyed else []:
+        plots.append(f'NaN with lines lc rgb "{COLOURS.get(algorithm, "black")}" lw 1.6 title "{algorithm}"')
     return data + commands + ["plot " + ", \\\n  ".join(plots)]
 
 
 def script(scene, rows, reference, quantities, path, kind):
-    width, height = 480 * len(quantities), 440
+    panels = []
+    for quantity in quantities:
+        # A quantity without any error has no logarithm, and no panel.
+        if commands := panel(scene, rows, reference, quantity, not panels):
+            panels.append(commands)
+    if not panels:
+        return ""
+    width, height = 480 * len(panels), 440
     terminal = {"png": f"pngcairo size {width},{height} font 'sans,10'", "svg": f"svg size {width},{height} font 'sans,11'"}[kind]
     lines = [f"set terminal {terminal}", f"set output '{path}'", "set logscale xy", "set grid lc rgb '#dddddd'",
-             'set format x "%g"', 'set format y "%g"', 'set xlabel "seconds"', 'set ylabel "relative error"',
-             f"set multiplot layout 1,{len(quantities)}"]
-    for number, quantity in enumerate(quantities):
-        lines += panel(scene, rows, reference, quantity, number == 0)
-    return "\n".join(lines + ["unset multiplot"]) + "\n"
+             'set format "%g"', f"set xtics ({TICS})", f"set ytics ({TICS})", 'set xlabel "seconds"', 'set ylabel "relative error"',
+             f"set multiplot layout 1,{len(panels)}"]
+    return "\n".join(lines + [line for commands in panels for line in commands] + ["unset multiplot"]) + "\n"
 
 
 def main():
@@ -97,8 +105,9 @@ def main():
         path = os.path.join(arguments.output, f"{scene}.{arguments.format}")
         of_scene = [row for row in rows if row["scene"] == scene]
         text = script(scene, of_scene, references[scene], arguments.quantity, path, arguments.format)
-        subprocess.run(["gnuplot"], input=text, text=True, check=True)
-        print(path)
+        if text:
+            subprocess.run(["gnuplot"], input=text, text=True, check=True)
+            print(path)
 
 
 if __name__ == "__main__":
