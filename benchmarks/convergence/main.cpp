@@ -79,12 +79,12 @@ renderer::Mode mode_of(const std::string& variant, const renderer::Scene& scene)
   return polarizes ? renderer::Mode::optimized : renderer::Mode::unpolarized;
 }
 
-/// Halved from the most down to one.
+/// Powers of two, the last the nearest to `most`: some samplers are at their best with these.
 std::vector<std::uint64_t> ladder(std::uint64_t most, int points) {
-  std::vector<std::uint64_t> list{most};
-  while (list.size() < static_cast<std::size_t>(points) && list.back() > 1)
-    list.push_back(list.back() / 2);
-  std::reverse(list.begin(), list.end());
+  const auto last = static_cast<int>(std::lround(std::log2(static_cast<double>(most))));
+  std::vector<std::uint64_t> list;
+  for (int power = std::max(0, last - points + 1); power <= last; ++power)
+    list.push_back(std::uint64_t{1} << power);
   return list;
 }
 
