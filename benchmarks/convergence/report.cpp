@@ -39,18 +39,10 @@ std::string slope_text(const std::optional<Line>& line) {
 
 std::string time_text(const std::optional<TimeTo>& t) {
   if (!t) return "—";
-  const std::string seconds = digits(t->seconds);
-  switch (t->how) {
-    case Found::at_most:
-      return "≤ " + seconds;
-    case Found::extrapolated:
-      return "≈ " + seconds;
-    default:
-      break;
-  }
+  if (t->how == Found::at_most) return "≤ " + digits(t->seconds);
   char error[32];
   std::snprintf(error, sizeof error, " ± %.0f %%", 100 * t->error);
-  return seconds + error;
+  return (t->how == Found::extrapolated ? "≈ " : "") + digits(t->seconds) + error;
 }
 
 const char* name_of(Found how) {
