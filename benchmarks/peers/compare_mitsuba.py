@@ -53,8 +53,8 @@ def calibrate(renderer, seconds):
         renderer.warm_up(spp)
         picture, time, _ = renderer.render(spp, seed)
         pixels = picture.shape[0] * picture.shape[1]
-        # Dr.Jit's arrays have less than 2^32 elements; a film of one pixel needs no more than this many.
-        most = min((1 << 30) // pixels, 1 << 18)
+        # Dr.Jit's arrays have less than 2^32 elements; for a film of one pixel this many do.
+        most = min((1 << 30) // pixels, 1 << 14)
         if not picture.max() > 0:
             raise Failure("the picture is black")
         if time > seconds / 4 or spp >= most:
