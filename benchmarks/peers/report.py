@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""The tables in Markdown, and the plot."""
+
+import os
+
+import estimates
+
+
+def summary(row, arguments):
+    """What is printed and kept of a row: a dictionary."""
+    measured = arguments.passes // 4
+    curve, reference_error = estimates.error_curve(row.passes[:measured], row.seconds[:measured], row.passes[measured:])
+    for point in curve:
+        point["spp"] = point["passes"] * row.spp
+    height, width = row.passes[0].shape[:2]
+    result = {
+        "scene": row.scene.name, "form": row.form, "renderer": row.renderer.name, "variant": row.renderer.variant,
+        "polarized": row.renderer.polarized, "threads": arguments.threads, "width": width, "height": height,
+        "spp_per_pass": row.spp, "passes": len(row.passes), "seconds": sum(row.seconds),
+        "processor_seconds": sum(row.processor_seconds),
+        "paths_per_second": width * height * row.spp * len(row.passes) / sum(row.seconds),
+        "load_seconds": row.renderer.load_seconds, "compile_seconds": row.renderer.compile_seconds,
+        "reference_error_s0": reference_error, "curve": curve}
+    for key in ("error_s0", "error_s0_rgb", "error_s123"):
+        result[f"{key}_after_1_s"], result[f"{key}_slope"] = estimates.after_one_second(curve, key)
+    for key, error in (("error_s0", arguments.error), ("error_s123", arguments.error / 10)):
+        result[f"seconds_to_{key}"] = (result[f"{key}_after_1_s"] / error) ** 2
+    return result
+
+
+def find(rows, **wanted):
+    return next((r for r in rows if all(r[k] == v for k, v in wanted.items())), None)
+
+
+def add_ratios(summaries, rows):
+    """To the unpolarised twin of the same program, by rounds; to Malus in the same form, by time to equal error."""
+    for result, row in zip(summaries, rows):
+        twin = {"path, optimized": "path, unpolarized"}.get(result["variant"], result["variant"].replace("_polarized", ""))
+        for other, other_row in zip(summaries, rows):
+            if result["polarized"] and (other["form"], other["variant"]) == (result["form"], twin):
+                ratios = [(a / other_row.spp) / (b / row.spp) for a, b in zip(other_row.seconds, row.seconds)]
+                result["polarized_to_unpolarized"] = estimates.median_interval(ratios)
+        ours = find(summaries, form=result["form"], renderer="Malus", polarized=result["polarized"])
+        if ours:
+            result["speed_to_malus"] = ratio(ours["seconds_to_error_s0"], result["seconds_to_error_s0"])
+
+
+def ratio(a, b):
+    return a / b if b > 0 else None
+
+
+def timing_table(summaries, error):
+    lines = [f"| scene | renderer | variant | 10³ paths/s | polarised : unpolarised | S0 after 1 s | RGB | S1–S3 | s to {100 * error:g} % in S0 "
+             f"| s to {10 * error:g} % in S1–S3 | speed at equal error, Malus = 1 | load, s | compile, s |",
+             "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"]
+    for r in summaries:
+        pair = r.get("polarized_to_unpolarized")
+        cells = [f"{r['scene']}, {r['form']}", r["renderer"], r["variant"], f"{r['paths_per_second'] / 1000:.0f}",
+                 "{:.2f} ({:.2f} to {:.2f})".format(*pair) if pair else "", percent(r["error_s0_after_1_s"]),
+                 percent(r["error_s0_rgb_after_1_s"]), percent(r["error_s123_after_1_s"]) if r["polarized"] else "",
+                 seconds(r["seconds_to_error_s0"]), seconds(r["seconds_to_error_s123"]) if r["polarized"] else "",
+                 f"{r['speed_to_malus']:.2f}" if r.get("speed_to_malus") else "", f"{r['load_seconds']:.2f}",
+                 f"{r['compile_seconds']:.2f}"]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def percent(x):
+    return f"{100 * x:.3g} %" if x > 0 else "0" if x == 0 else "–"
+
+
+def seconds(x):
+    return f"{x:.3g}" if x > 0 else "0"
+
+
+def agreement_table(rows):
+    lines = ["| scene | Mitsuba's variant | verdict | greatest \\|z\\| | its limit | mean z² | S0 apart by at most | S1–S3 apart by at most "
+             "| size of S1–S3 | gain of S0, S1, S2, S3 (1: as Mitsuba, −1: the other sign) |",
+             "|---|---|---|--:|--:|--:|--:|--:|--:|---|"]
+    for r in rows:
+        polarized = len(r["components"]) > 1 and r["polarized_light"] > 1e-4
+        gains = ", ".join(f"{c['gain']:.3f} ± {c['gain_error']:.3f}" if c["gain_error"] < 0.2 else "–" for c in r["components"])
+        cells = [f"{r['scene']}, {r['form']}", r["variant"], r["verdict"], f"{r['greatest_z']:.2f}", f"{r['limit']:.2f}",
+                 f"{r['mean_square_z']:.2f}", percent(r["apart_s0"]), percent(r["apart_s123"]) if polarized else "",
+                 percent(r["polarized_light"]) if len(r["components"]) > 1 else "", gains]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def plot(summaries, file):
+    """Error against time: a line of panels for each scene and form, S0 on the left, S1 to S3 on the right."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as pyplot
+
+    panels = list(dict.fromkeys((r["scene"], r["form"]) for r in summaries))
+    colours = {v: f"C{i}" for i, v in enumerate(dict.fromkeys(r["variant"].replace("_polarized", "") for r in summaries
+                                                              if r["renderer"] != "Malus"))}
+    figure, axes = pyplot.subplots(len(panels), 2, figsize=(13, 4.2 * len(panels)), squeeze=False, layout="constrained")
+    for (scene, form), (left, right) in zip(panels, axes):
+        for axis, key, name in ((left, "error_s0", "S0"), (right, "error_s123", "S1–S3")):
+            for r in summaries:
+                points = [(p["seconds"], p[key]) for p in r["curve"] if p[key] > 0]
+                if (r["scene"], r["form"]) != (scene, form) or not points or (key == "error_s123" and not r["polarized"]):
+                    continue
+                style = {"linestyle": "-" if r["polarized"] else "--", "marker": "o" if r["polarized"] else "x", "markersize": 4,
+                         "color": "black" if r["renderer"] == "Malus" else colours[r["variant"].replace("_polarized", "")],
+                         "linewidth": 2 if r["renderer"] == "Malus" else 1.2}
+                axis.loglog(*zip(*points), label=f"{r['renderer']} {r['variant']}", **style)
+            axis.set_title(f"{scene}, {form}: {name}")
+            axis.set_xlabel("seconds of rendering")
+            axis.set_ylabel("RMS error / mean S0")
+            axis.grid(True, which="both", alpha=0.25)
+            if axis.lines:
+                axis.legend(fontsize=7)
+    temporary = f"{file}.part"
+    pyplot.savefig(temporary, dpi=110, format=os.path.splitext(file)[1][1:] or "png")
+    os.replace(temporary, file)
