@@ -156,6 +156,7 @@ class NaivePath {
   }
   void transmit(const Transmittance& t) { scatter(t); }
 
+  static constexpr bool reads_polarization() { return true; }
   /// As the other families have it, so that all of them take the same paths.
   const Rgb& throughput() const { return throughput_; }
 
@@ -243,13 +244,17 @@ struct Naive {
   using CameraPath = NaivePath;
   using RowPath = NaiveMediaPath;
   static constexpr bool polarized = true;
+  static constexpr bool defers = false;
 
   static Light unpolarized(const Rgb& radiance) { return Light::unpolarized(radiance); }
   static Scattering depolarizer(const Rgb& m00) { return Scattering::depolarizing(m00); }
   static Scattering plain(const Rgb& a) { return Scattering::plain(a, no_frame()); }
-  static Light scatter(const Scattering& f, const Light& light) {
+  static Light scatter(const Scattering& f, const Light& light, bool = true) {
     return scatter_naively(f, light);
   }
+  /// Whole vectors and matrices are made of everything.
+  static bool is_unpolarized(const Light&) { return false; }
+  static Rgb intensity(const Light& light) { return light.intensity(); }
   static Light transmit(const Transmittance& t, const Light& light) {
     return scatter_naively(t, light);
   }
