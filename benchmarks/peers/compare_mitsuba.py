@@ -18,7 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-SCENES = ["diffuse", "glossy", "glass", "vcm_box", "crossed_polarizers", "malus_law@angle=30", "malus_law@angle=75",
+SCENES = ["diffuse", "glossy", "glass", "vcm_box", "crossed_polarizers", "upbp_sphere", "malus_law@angle=30", "malus_law@angle=75",
           "brewster@angle=30", "brewster", "brewster@angle=75", "glass_slab@angle=60"]
 
 # The coloured scene is for variants that know colours, the grey one for those that don't; besides, Stokes vectors are compared in it.
@@ -45,19 +45,19 @@ def say(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def calibrate(renderer, seconds):
-    """How many samples a pixel take so long; whatever has to be compiled is compiled after this."""
+def calibrate(renderer, seconds, spp):
+    """How many samples a pixel take so long, beginning with a few; whatever has to be compiled is compiled after this."""
     from renderers import Failure
-    spp, seed = 1, 1 << 30
+    seed = 1 << 30
     while True:
         renderer.warm_up(spp)
         picture, time, _ = renderer.render(spp, seed)
         pixels = picture.shape[0] * picture.shape[1]
-        # Dr.Jit's arrays have less than 2^32 elements; for a film of one pixel this many do.
-        most = min((1 << 30) // pixels, 1 << 14)
-        if not picture.max() > 0:
-            raise Failure("the picture is black")
+        # Dr.Jit's arrays have less than 2^32 elements; and Mitsuba sums a pixel's samples in single precision.
+        most = min((1 << 30) // pixels, 1 << 12)
         if time > seconds / 4 or spp >= most:
+            if not picture.max() > 0:
+                raise Failure("the picture is black")
             spp = max(1, min(most, round(spp * seconds / time)))
             renderer.warm_up(spp)
             return spp
@@ -78,7 +78,8 @@ def start_renderers(scene, form, arguments, folder):
             renderer = make()
             renderer.load(scene.file, scene.parameters, scene.folders)
             row = Row(scene, form, renderer)
-            row.spp = calibrate(renderer, arguments.seconds / arguments.passes)
+            # Dr.Jit takes what a single path does for constants of the kernel.
+            row.spp = calibrate(renderer, arguments.seconds / arguments.passes, 64 if scene.single_ray else 1)
             rows.append(row)
         except Failure as failure:
             say(f"{scene.name}, {form}, {variant}: skipped: {failure}")
@@ -137,14 +138,15 @@ def run_form(scene, form, arguments):
     return summaries, compare_pictures(rows)
 
 
+def scene_file(text, folder):
+    name = text.partition("@")[0]
+    return pathlib.Path(name) if name.endswith(".xml") else folder / f"{name}.xml"
+
+
 def read_scene(text, arguments):
     import scenes
-    name, _, parameters = text.partition("@")
-    file = pathlib.Path(name) if name.endswith(".xml") else arguments.scenes / f"{name}.xml"
-    if not file.is_file():
-        raise scenes.Unsuitable(f"there is no file {file}")
-    given = dict(p.split("=", 1) for p in parameters.split(",") if p)
-    return scenes.read(file, text, given, arguments.resolution)
+    given = dict(p.split("=", 1) for p in text.partition("@")[2].split(",") if p)
+    return scenes.read(scene_file(text, arguments.scenes), text, given, arguments.resolution)
 
 
 def parse_arguments():
@@ -170,6 +172,11 @@ def parse_arguments():
     if not arguments.malus:
         parser.error("malus-render is not found: name it by --malus")
     arguments.scene = arguments.scene or SCENES
+    for text in arguments.scene:
+        if not scene_file(text, arguments.scenes).is_file():
+            parser.error(f"there is no file {scene_file(text, arguments.scenes)}")
+        if not all("=" in p for p in text.partition("@")[2].split(",") if p):
+            parser.error(f"{text}: after @ come PARAMETER=VALUE, separated by commas")
     arguments.form = arguments.form or list(VARIANTS)
     arguments.variant = arguments.variant or sorted({v for vs in VARIANTS.values() for v in vs})
     return arguments
@@ -199,11 +206,13 @@ def main():
                 say(f"{text}, {form}: skipped: {reason}")
                 continue
             # Of a single ray, pictures and their agreement mean something, and its speed is that of starting a rendering.
-            summaries += [t for t in timings if t["width"] * t["height"] > 1]
+            summaries += [] if scene.single_ray else timings
             agreements += agreement
     print(f"Mitsuba {mitsuba.__version__}, {arguments.threads} thread(s), pictures {arguments.resolution} wide, "
           f"{arguments.passes} passes in {arguments.seconds:g} s a row\n")
-    print(report.timing_table(summaries, arguments.error) + "\n\n" + report.agreement_table(agreements))
+    if summaries:
+        print(report.timing_table(summaries, arguments.error) + "\n")
+    print(report.agreement_table(agreements))
     if arguments.json:
         pathlib.Path(f"{arguments.json}.part").write_text(json.dumps({"timings": summaries, "agreement": agreements}, indent=1) + "\n")
         os.replace(f"{arguments.json}.part", arguments.json)

@@ -69,7 +69,7 @@ def median_interval(values):
 
 # agreement
 
-ROUNDING = 1e-5  # of the mean S0: pictures are sums in single precision
+ROUNDING = 1e-5  # of the mean S0: pictures are sums of up to some thousand samples in single precision
 FALSE_ALARMS = 1e-3  # the chance that any z of two pictures of the same expectation is called a difference
 
 
@@ -98,7 +98,8 @@ def greatest_normal_score(count):
 
 
 def agreement(ours, theirs, tile_count=8):
-    """Whether two lists of pictures have the same expectation, by Welch's test on parts of the picture; and how far apart they are.
+    """Whether two lists of pictures have the same expectation, by Welch's test on parts of the picture and by their regression; and how far
+    apart they are.
 
     If one has S0 alone, S0 is compared; if one is grey, the other's first colour, which in a grey scene is like the others.
     """
@@ -111,13 +112,14 @@ def agreement(ours, theirs, tile_count=8):
     difference, variance = a.mean(axis=0) - b.mean(axis=0), va + vb + floor
     degrees = variance ** 2 / ((va ** 2) / (len(a) - 1) + (vb ** 2) / (len(b) - 1) + floor ** 2 / 1e6)
     z = normal_score(difference / numpy.sqrt(variance), degrees)
-    result = {"tests": z.size, "greatest_z": float(abs(z).max()), "limit": greatest_normal_score(z.size),
+    result = {"tests": z.size + components, "limit": greatest_normal_score(z.size + components),
               "mean_square_z": float((z ** 2).mean()), "components": []}
     weights = 1 / variance
     for s in range(components):
         result["components"].append({
-            "component": f"S{s}", "greatest_z": float(abs(z[:, s]).max()),
-            **gain(a[:, :, s].mean(axis=0), b[:, :, s].mean(axis=0), vb[:, s], weights[:, s])})
+            "component": f"S{s}", "greatest_tile_z": float(abs(z[:, s]).max()),
+            **gain(a[:, :, s], b[:, :, s], floor)})
+    result["greatest_z"] = max(max(c["greatest_tile_z"], abs(c["gain_z"])) for c in result["components"])
     result["apart_s0"] = apart(difference[:, :1], b.mean(axis=0)[:, :1], vb[:, :1], weights[:, :1])
     result["apart_s123"] = apart(difference[:, 1:], b.mean(axis=0)[:, 1:], vb[:, 1:], weights[:, 1:])
     signal = (b.mean(axis=0) ** 2 - vb)[:, 1:].sum(axis=1).mean()
@@ -125,19 +127,33 @@ def agreement(ours, theirs, tile_count=8):
     return result
 
 
-def gain(a, b, variance_of_b, weights):
-    """The weighted regression of a on b through 0: 1 if they agree, −1 if a sign differs; and its standard error."""
-    power = float((weights * (b ** 2 - variance_of_b)).sum())
-    if power <= 0:
-        return {"gain": math.nan, "gain_error": math.nan}
-    return {"gain": float((weights * a * b).sum()) / power, "gain_error": math.sqrt(float((weights * b ** 2).sum())) / power}
+def gain(a, b, floor):
+    """The weighted regression of the mean of a's passes on that of b's, through 0: 1 if they agree, −1 if a sign differs; its standard
+    error, from the spread of passes, whose colours vary together; and how many of those it is from 1, which is finite also where b is all
+    noise.
+
+    The weights for one half of the passes come from the other half's variances: those of the same samples are small where rare bright
+    ones are missing, and would favour what is too dark.
+    """
+    power = excess = squared_error = 0.0
+    for half in range(2):
+        weights = 1 / (sum(x[1 - half::2].var(axis=0, ddof=1) / len(x[half::2]) for x in (a, b)) + floor)
+        ours, theirs = a[half::2], b[half::2]
+        mean, variance = theirs.mean(axis=0), theirs.var(axis=0, ddof=1) / len(theirs)
+        power += float((weights * (mean ** 2 - variance)).sum())
+        excess += float((weights * ((ours.mean(axis=0) - mean) * mean + variance)).sum())
+        squared_error += sum(float((weights * mean * x).sum(axis=(1, 2)).var(ddof=1)) / len(x) for x in (ours, theirs))
+        squared_error += floor * float((weights * abs(mean)).sum()) ** 2 + float(((weights * variance) ** 2).sum())
+    error = math.sqrt(squared_error)
+    return {"gain": 1 + excess / power if power > 0 else math.nan, "gain_error": error / power if power > 0 else math.nan,
+            "gain_z": excess / error if error > 0 else 0.0}
 
 
 def apart(difference, b, variance_of_b, weights):
-    """How far apart the pictures may be, as a part of b, at 95 %: weighted root mean squares, of which noise explains as much as it can."""
+    """How far apart the pictures may be, as a part of b, at 95 %: weighted root mean squares, less what noise alone makes of them."""
     power = float((weights * (b ** 2 - variance_of_b)).sum())
-    n = difference.size
+    n, colours = difference.size, difference.shape[-1]  # which vary together
     if n == 0 or power <= 0:
         return math.nan
     excess = float((weights * difference ** 2).sum()) - n
-    return math.sqrt(max(excess, 0) + 1.645 * math.sqrt(2 * n)) / math.sqrt(power)
+    return math.sqrt(max(excess, 0) + 1.645 * math.sqrt(2 * n * colours)) / math.sqrt(power)

@@ -27,6 +27,7 @@ class Scene:
     parameters: dict  # of the scene, for -D
     folders: list  # where Mitsuba, which doesn't look beside included files, finds theirs
     polarizes_alike: bool  # all its materials are polarising in Mitsuba, too
+    single_ray: bool  # a film of one pixel
     grey: bool = False
 
 
@@ -62,7 +63,8 @@ def read(file, name, given, resolution):
         polarizing = types("phase") - SCALAR_PHASE_FUNCTIONS
         if polarizing:
             raise Unsuitable(f"its phase function {', '.join(sorted(polarizing))} polarises in Malus alone")
-    return Scene(name, file, parameters, folders, not types("bsdf") & DEPOLARIZING_IN_MITSUBA)
+    return Scene(name, file, parameters, folders, not types("bsdf") & DEPOLARIZING_IN_MITSUBA,
+                 "radiancemeter" in types("sensor"))
 
 
 def grey_twin(scene, folder):
