@@ -35,7 +35,7 @@ extern "C" void request_stop(int signal) {
 
 struct Arguments {
   std::string scene, output, integrator, mode = "auto", stokes_frame = "horizontal", stats;
-  std::string sampler = "independent";
+  std::string sampler = "sobol";
   std::vector<std::string> definitions;
   std::vector<int> strategy;
   std::optional<std::uint64_t> samples, seed;
@@ -80,7 +80,11 @@ void add_options(CLI::App& app, Arguments& a) {
           ""));
   app.add_option("--threads", a.threads, "Threads (default: all processors)")
       ->check(CLI::Range(1, 4096));
-  app.add_option("--sampler", a.sampler, "Random numbers")->check(CLI::IsMember({"independent"}));
+  app.add_option("--sampler", a.sampler,
+                 "Random numbers: of a scrambled Sobol sequence, which spreads samples evenly, or "
+                 "independent")
+      ->check(CLI::IsMember({"independent", "sobol"}))
+      ->capture_default_str();
   app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
       ->take_all()
       ->expected(1)
@@ -152,6 +156,7 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
       a.samples.value_or(static_cast<std::uint64_t>(scene.samples_per_pixel));
   options.seconds = a.seconds;
   options.seed = a.seed.value_or(scene.seed);
+  options.sampler = a.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
   options.threads = a.threads;
 
   stop_requested = false;
