@@ -28,6 +28,9 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
 }
 
 enum class SamplerKind { independent, sobol };
+constexpr const char* name_of(SamplerKind kind) {
+  return kind == SamplerKind::sobol ? "sobol" : "independent";
+}
 
 class Sampler {
  public:

@@ -133,6 +133,7 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene,
   m["malus:integrator"] = scene.integrator.name;
   m["malus:samples_per_pixel"] = std::to_string(rendering.samples_per_pixel);
   m["malus:seed"] = std::to_string(options.seed);
+  m["malus:sampler"] = name_of(options.sampler);
 }
 
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
