@@ -73,9 +73,10 @@ renderer::Rendering picture(const renderer::Scene& scene, SamplerKind kind, std:
 
 TEST_CASE("sampler: 2^k points of a sequence, from a multiple of it on, lie one in a box each") {
   for (const std::size_t number : {0u, 1u, 15u, 16u, 37u})
-    for (int k = 0; k <= 8; ++k)
+    for (const int k : {0, 1, 2, 3, 4, 5, 6, 7, 8, 17})
       for (const std::uint64_t first : {0u, 3u, 1000u, 0xfffffu})
         for (int a = 0; a <= k; ++a) {
+          if (k == 17 && (number > 0 || first > 3)) continue;
           std::vector<int> counts(std::size_t{1} << k);
           for (std::uint64_t i = 0; i < counts.size(); ++i) {
             const Vec2 u = pair(Sampler::sobol(3, 4, (first << k) + i), number);
