@@ -75,7 +75,8 @@ std::vector<std::string> algorithms_for(const Arguments& a, const renderer::Scen
 }
 
 renderer::Mode mode_of(const std::string& variant, const renderer::Scene& scene) {
-  const bool polarizes = variant == "optimized" || (variant == "auto" && scene.polarizes);
+  const bool polarizes =
+      variant == "optimized" || (variant == "auto" && renderer::find_needs(scene).polarization());
   return polarizes ? renderer::Mode::optimized : renderer::Mode::unpolarized;
 }
 

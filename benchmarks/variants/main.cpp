@@ -17,6 +17,7 @@
 #include "measurement.hpp"
 #include "paper.hpp"
 #include "scene/build.hpp"
+#include "scene/needs.hpp"
 #include "scene/requirements.hpp"
 #include "scene/xml_reader.hpp"
 #include "verification.hpp"
@@ -187,7 +188,8 @@ int verify(const Arguments& a) {
         std::fflush(stdout);
       };
       check(Variant::optimized, Variant::naive, false);
-      if (!scene.polarizes) check(Variant::unpolarized, Variant::automatic, true);
+      if (!renderer::find_needs(scene).polarization())
+        check(Variant::unpolarized, Variant::automatic, true);
     }
   return is_right ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 #include "variant.hpp"
 
 #include "naive_passes.hpp"
+#include "scene/needs.hpp"
 
 namespace variants {
 
@@ -26,7 +27,8 @@ std::unique_ptr<renderer::Passes> make_passes(Variant variant, const renderer::S
     return scene.has_media() ? make_naive_media_passes(scene, options, film)
                              : make_naive_surface_passes(scene, options, film);
   const bool polarized =
-      variant == Variant::optimized || (variant == Variant::automatic && scene.polarizes);
+      variant == Variant::optimized ||
+      (variant == Variant::automatic && renderer::find_needs(scene).polarization());
   options.mode = polarized ? renderer::Mode::optimized : renderer::Mode::unpolarized;
   return renderer::make_passes(scene, options, film);
 }

@@ -27,7 +27,7 @@ concept Radiometry = requires(typename R::Light light, typename R::Scattering f,
   requires std::same_as<decltype(R::polarized), const bool>;
   { R::unpolarized(v) } -> std::same_as<typename R::Light>;
   { R::scatter(f, light) } -> std::convertible_to<typename R::Light>;
-  { R::depolarizer(v) } -> std::same_as<typename R::Scattering>;
+  { R::depolarizer(v) } -> std::convertible_to<typename R::Scattering>;
   { R::plain(v) } -> std::same_as<typename R::Scattering>;
   { light* v } -> std::convertible_to<typename R::Light>;
   { f* v } -> std::convertible_to<typename R::Scattering>;

