@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -115,11 +116,12 @@ nlohmann::ordered_json to_json(const Row& row) {
   return json;
 }
 
+/// What is asked for, after what it is compared with.
 std::vector<Variant> variants_of(const Arguments& a) {
   std::vector<Variant> list;
-  for (const std::string& name : a.variants)
-    for (const Variant v : variants::all_variants)
-      if (name == variants::name_of(v)) list.push_back(v);
+  for (const Variant v : variants::all_variants)
+    if (v == Variant::unpolarized || std::ranges::count(a.variants, variants::name_of(v)) > 0)
+      list.push_back(v);
   return list;
 }
 
@@ -145,6 +147,7 @@ void print_load(std::chrono::steady_clock::time_point start, std::clock_t start_
 }
 
 int measure(const Arguments& a) {
+  if (!a.json.empty()) renderer::check_writable(a.json);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t start_of_work = std::clock();
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -202,7 +205,7 @@ int main(int argc, char** argv) {
   app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
   app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
   app.add_option("--algorithm", a.algorithms, "Integrators")->capture_default_str();
-  app.add_option("--variant", a.variants, "The first is what the others are compared with")
+  app.add_option("--variant", a.variants, "What is compared with unpolarized")
       ->check(CLI::IsMember({"unpolarized", "naive", "optimized", "auto"}))
       ->capture_default_str();
   app.add_flag("--paper", a.paper_alone, "The rows of the paper's Table 1 alone");

@@ -109,6 +109,8 @@ struct NaiveMueller : NaiveMuellerBase {
   }
 };
 
+/// A multiple of the identity that has no frame leaves the light its own; behind a depolarizer,
+/// none matters.
 inline NaiveLight scatter_naively(const NaiveMueller& m, const NaiveLight& light) {
   NaiveLight result =
       static_cast<const NaiveMuellerBase&>(m) * static_cast<const NaiveStokes&>(light);

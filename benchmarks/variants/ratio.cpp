@@ -8,10 +8,15 @@ namespace variants {
 
 namespace {
 
-/// The most ratios that may be left out at either end: the largest k with P(fewer than k of n coins
-/// show heads) ≤ 0.025, less one.
+/// The most ratios that may be left out at either end: the largest k with P(k or fewer of n coins
+/// show heads) ≤ 0.025; 0 where there is none.
 std::size_t left_out(std::size_t n) {
-  double chance = std::exp2(-static_cast<double>(n)), sum = chance;  // of k heads, and of up to k
+  // By the normal distribution where it is right to less than one coin.
+  if (n > 200) {
+    const auto coins = static_cast<double>(n);
+    return static_cast<std::size_t>((coins - 1 - 1.959964 * std::sqrt(coins)) / 2);
+  }
+  double chance = std::exp2(-static_cast<double>(n)), sum = chance;  // of k heads, of k or fewer
   std::size_t k = 0;
   while (sum <= 0.025) {
     chance *= static_cast<double>(n - k) / static_cast<double>(k + 1);
