@@ -416,8 +416,8 @@ TEST_CASE("needs: --stats counts what was skipped, and what was not") {
                     stats = (folder.path() / "stats.json").string();
   const auto run = [&](const std::string& content, const std::string& mode) {
     const auto scene = folder.write("scene.xml", scene_test::in_scene(content));
-    REQUIRE(malus_render({scene.string(), "-o", out, "--stats", stats, "--spp", "2", "--integrator",
-                          "vcm", "--mode", mode})
+    REQUIRE(malus_render({scene.string(), "-o", out, "--stats", stats, "--spp", "16",
+                          "--integrator", "vcm", "--mode", mode})
                 .status == 0);
     std::ifstream file(stats);
     const auto json = nlohmann::json::parse(file);
