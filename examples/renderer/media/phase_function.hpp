@@ -100,9 +100,10 @@ class PhaseFunction {
                                           const Rgb& scale, Use&& use) const {
     return visit([&]<class P>(const P& p) {
       if constexpr (P::polarizes)
-        return use(malus::scattering_matrix(p.elements(deflection(incident, exitant)),
-                                            malus::frames_of_scattering<float>(-incident, exitant)) *
-                   scale);
+        return use(
+            malus::scattering_matrix(p.elements(deflection(incident, exitant)),
+                                     malus::frames_of_scattering<float>(-incident, exitant)) *
+            scale);
       else
         return use(R::depolarizer(p.value(deflection(incident, exitant)) * scale));
     });
