@@ -75,20 +75,21 @@ struct BasePolarization {
   }
 };
 
+using PlasticMueller = malus::FullMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>;
+
 /// A facet's block, times `coat`, over a base, in the facet's frames.
-MALUS_INLINE auto coat_over_base(const malus::FresnelTerms<float>& terms, const Rgb& coat,
-                                 const malus::FramePair<float>& facet,
-                                 const BasePolarization& polarization, const Rgb& base) {
+MALUS_INLINE PlasticMueller coat_over_base(const malus::FresnelTerms<float>& terms, const Rgb& coat,
+                                           const malus::FramePair<float>& facet,
+                                           const BasePolarization& polarization, const Rgb& base) {
   const auto& [o, i] = polarization;
   const Rgb sum = coat * terms.mean(), difference = coat * terms.half_difference();
   const Rgb re = coat * terms.re, im = coat * terms.im, none(0.0f);
   const Rgb b0 = base * o[0], b1 = base * o[1], b2 = base * o[2];
-  using Matrix = malus::FullMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>;
-  return Matrix::from_rows({{{sum + b0 * i[0], difference + b0 * i[1], b0 * i[2], none},
-                             {difference + b1 * i[0], sum + b1 * i[1], b1 * i[2], none},
-                             {b2 * i[0], b2 * i[1], re + b2 * i[2], im},
-                             {none, none, -im, re}}},
-                           facet.enter, facet.exit);
+  return PlasticMueller::from_rows({{{sum + b0 * i[0], difference + b0 * i[1], b0 * i[2], none},
+                                     {difference + b1 * i[0], sum + b1 * i[1], b1 * i[2], none},
+                                     {b2 * i[0], b2 * i[1], re + b2 * i[2], im},
+                                     {none, none, -im, re}}},
+                                   facet.enter, facet.exit);
 }
 
 }  // namespace renderer

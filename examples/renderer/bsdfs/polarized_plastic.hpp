@@ -83,8 +83,8 @@ struct PolarizedPlastic {
 
  private:
   /// The sum of coat and base in the frames of the coat's facet.
-  MALUS_INLINE auto matrix(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                           const Rgb& coat, const Rgb& base) const {
+  MALUS_INLINE PlasticMueller matrix(const SurfacePoint& point, const Vec3& incident,
+                                     const Vec3& exitant, const Rgb& coat, const Rgb& base) const {
     const Vec3& n = point.normal;
     const auto frames = facet_frames(incident, exitant);
     const BasePolarization polarization(n, incident, exitant, transmission(glm::dot(n, incident)),
