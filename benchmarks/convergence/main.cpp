@@ -29,6 +29,7 @@
 #include "io/atomic_file.hpp"
 #include "io/input_error.hpp"
 #include "report.hpp"
+#include "scene/needs.hpp"
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 #include <malus/frame.hpp>
 
-#include "../algebra/naive.hpp"
+#include "../naive.hpp"
 
 namespace representations {
 
