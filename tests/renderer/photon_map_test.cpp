@@ -39,7 +39,9 @@ Map map_of(const std::vector<Vec3>& places, const Vec3& center, float radius) {
 /// Numbers of the photons near a point by the map, each as often as it is shown, in order.
 std::vector<int> shown(const Map& map, const Vec3& point) {
   std::vector<int> found;
-  map.each_near(point, [&](const auto& photon) { found.push_back(photon.edges); });
+  map.each_near(point, [&](const auto& photon, std::size_t) {
+    found.push_back(static_cast<int>(photon.edges));
+  });
   std::sort(found.begin(), found.end());
   return found;
 }

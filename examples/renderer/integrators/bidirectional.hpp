@@ -294,9 +294,9 @@ class BidirectionalIntegrator {
     const bool in_medium = v.scatterer.is_medium();
     const PhotonMap<R>& photons = in_medium ? *iteration_->media_photons : *iteration_->photons;
     const float normalization = 1 / (v.merge * opacity(v));
-    photons.each_near(v.hit.position, [&](const Photon<R>& photon) {
-      if (scene_.integrator.max_depth >= 0 && photon.edges + v.edges > scene_.integrator.max_depth)
-        return;
+    photons.each_near(v.hit.position, [&](const Photon& photon, std::size_t i) {
+      const int edges = static_cast<int>(photon.edges) + v.edges;
+      if (scene_.integrator.max_depth >= 0 && edges > scene_.integrator.max_depth) return;
       // A photon on the other side, or on a wall across a corner, is not here.
       if (!in_medium && glm::dot(photon.geometric_normal, v.hit.geometric_normal) < 0.5f) return;
       if (!v.scatterer.sides_agree(v.hit, photon.incident)) return;
@@ -309,8 +309,8 @@ class BidirectionalIntegrator {
         w *= mis_weight(photon.mis.merged(value.pdf_incident, f, v.merge),
                         v.mis.merged(value.pdf_exitant, f, v.merge));
       }
-      path_.deposit(scatter<R>(v.scatterer, v.hit, photon.incident, v.exitant, value, photon.light,
-                               path_.reads_polarization()) *
+      path_.deposit(scatter<R>(v.scatterer, v.hit, photon.incident, v.exitant, value,
+                               photons.light(photon, i), path_.reads_polarization()) *
                     w);
     });
   }

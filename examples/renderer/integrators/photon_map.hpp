@@ -12,14 +12,40 @@
 
 namespace renderer {
 
-/// What merging needs of a light vertex. The light of many is polarised; it is stored as the Stokes
-/// vector that left the vertex before.
-template <class R>
+/// What merging needs of a light vertex, polarised or not. Most that are looked at are too far
+/// away, so what a merge alone needs of polarised light is not here.
 struct Photon {
   Vec3 position, incident, geometric_normal;  ///< no normal in a medium
   SubpathMis mis;
-  int edges;
+  std::uint32_t edges : 31, is_polarized : 1;
+  Rgb intensity;
+};
+
+/// The light of a photon, as it left the vertex before: all of it, for families unknown here.
+template <class R>
+struct PhotonLight {
+  explicit PhotonLight(const typename R::Light& l) : light(l) {}
+  PhotonLight() = default;
+  typename R::Light of(const Photon&) const { return light; }
+
   typename R::Light light;
+};
+
+/// What the photon doesn't hold. Light goes against `incident`, from which the frame's other axis
+/// follows.
+template <>
+struct PhotonLight<malus::Polarized<Rgb>> {
+  using Light = malus::Polarized<Rgb>::Light;
+
+  PhotonLight() {}  // NOLINT: not defaulted, which would set all to zero
+  explicit PhotonLight(const Light& l) : s1(l[1]), s2(l[2]), s3(l[3]), x(l.frame().x()) {}
+  Light of(const Photon& photon) const {
+    return {photon.intensity, s1, s2, s3,
+            malus::Frame<float>::from_direction_and_x(-photon.incident, x)};
+  }
+
+  Rgb s1, s2, s3;
+  Vec3 x;
 };
 
 template <class R>
@@ -45,19 +71,17 @@ class PhotonMap {
     mask_ = static_cast<std::uint32_t>(buckets - 1);
     starts_.assign(buckets + 1, 0);
     photons_.resize(count);
+    if constexpr (R::polarized) lights_.resize(count);
 
     each([&](const auto& v) { ++starts_[bucket(cell(v.point.position)) + 1]; });
     for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
     // Filling moves each bucket's start to its end, which is the next one's start.
-    each([&](const auto& v) {
-      photons_[starts_[bucket(cell(v.point.position))]++] = {
-          v.point.position, v.incident, v.point.geometric_normal, v.mis, v.edges, v.light};
-    });
+    each([&](const auto& v) { store(v, starts_[bucket(cell(v.point.position))]++); });
     for (std::size_t b = buckets; b > 0; --b) starts_[b] = starts_[b - 1];
     starts_[0] = 0;
   }
 
-  /// Shows every photon nearer to a point than the radius, once.
+  /// Shows every photon nearer to a point than the radius, once, with its number.
   template <class Visit>
   void each_near(const Vec3& point, Visit&& visit) const {
     // A ball as wide as a cell reaches into the nearer neighbour in each dimension, no farther.
@@ -69,19 +93,47 @@ class PhotonMap {
       const glm::ivec3 c = low + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
       const std::uint32_t b = bucket(c);
       for (std::uint32_t i = starts_[b]; i < starts_[b + 1]; ++i) {
-        const Photon<R>& photon = photons_[i];
+        const Photon& photon = photons_[i];
         const Vec3 way = photon.position - point;
-        if (glm::dot(way, way) < radius2 && cell(photon.position) == c) visit(photon);
+        if (glm::dot(way, way) < radius2 && cell(photon.position) == c) visit(photon, i);
       }
     }
   }
 
+  /// The light of a photon of that number.
+  typename R::Light light(const Photon& photon, std::size_t i) const {
+    if constexpr (R::polarized)
+      if (photon.is_polarized) return lights_[i].of(photon);
+    return R::unpolarized(photon.intensity);
+  }
+
   float radius() const { return radius_; }
+  static constexpr std::size_t bytes_per_photon() {
+    return sizeof(Photon) + (R::polarized ? sizeof(PhotonLight<R>) : 0);
+  }
   std::size_t bytes() const {
-    return photons_.capacity() * sizeof(Photon<R>) + starts_.capacity() * sizeof(std::uint32_t);
+    return photons_.capacity() * sizeof(Photon) + lights_.capacity() * sizeof(PhotonLight<R>) +
+           starts_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
+  template <class Vertex>
+  void store(const Vertex& v, std::size_t i) {
+    Photon& photon = photons_[i];
+    photon.position = v.point.position;
+    photon.incident = v.incident;
+    photon.geometric_normal = v.point.geometric_normal;
+    photon.mis = v.mis;
+    photon.edges = static_cast<std::uint32_t>(v.edges) & 0x7fffffffu;
+    photon.is_polarized = 0;
+    photon.intensity = R::intensity(v.light);
+    if constexpr (R::polarized)
+      if (!R::is_unpolarized(v.light)) {
+        photon.is_polarized = 1;
+        lights_[i] = PhotonLight<R>(v.light);
+      }
+  }
+
   Vec3 lattice(const Vec3& p) const { return (p - center_) * inverse_cell_; }
   glm::ivec3 cell(const Vec3& p) const { return glm::ivec3(glm::floor(lattice(p))); }
   std::uint32_t bucket(const glm::ivec3& c) const {
@@ -93,8 +145,9 @@ class PhotonMap {
   Vec3 center_{};
   float radius_ = 0, inverse_cell_ = 0;
   std::uint32_t mask_ = 0;
-  std::vector<std::uint32_t> starts_;  // of each bucket's photons
-  std::vector<Photon<R>> photons_;
+  std::vector<std::uint32_t> starts_;   // of each bucket's photons
+  std::vector<Photon> photons_;         // in the buckets' order
+  std::vector<PhotonLight<R>> lights_;  // in the same, of polarised light alone
 };
 
 }  // namespace renderer

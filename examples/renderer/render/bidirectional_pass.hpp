@@ -68,8 +68,8 @@ class BidirectionalPass {
 
   LightVertexMemory light_vertices() const {
     if (techniques_.lens_alone) return {};
-    LightVertexMemory memory{sizeof(LightVertex<R, M>), techniques_.merge ? sizeof(Photon<R>) : 0,
-                             peak_bytes_};
+    LightVertexMemory memory{sizeof(LightVertex<R, M>),
+                             techniques_.merge ? PhotonMap<R>::bytes_per_photon() : 0, peak_bytes_};
     for (const auto& worker : integrators_) memory.peak += bytes(worker.paths);
     return memory;
   }
