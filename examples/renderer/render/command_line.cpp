@@ -44,7 +44,7 @@ struct Arguments {
   std::optional<std::uint64_t> samples, seed;
   double seconds = 0;
   int threads = 0;
-  bool explain = false;
+  bool explain = false, confined = false;
 };
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -94,6 +94,8 @@ void add_options(CLI::App& app, Arguments& a) {
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");
+  app.add_flag("--confined", a.confined,
+               "Refuse scenes that read files outside of their own folder");
   app.add_option(
          "--stokes-frame", a.stokes_frame,
          "Where S1 and S2 are measured from: the picture's horizontal, counter-clockwise, or up")
@@ -176,7 +178,8 @@ void check_outputs(const Arguments& a) {
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   const auto definitions = parse_definitions(a.definitions);
   check_outputs(a);
-  Scene scene = build_scene(*read_scene(a.scene, definitions));
+  const auto outside = a.confined ? OutsideFiles::refuse : OutsideFiles::warn;
+  Scene scene = build_scene(*read_scene(a.scene, definitions, outside));
   if (!a.integrator.empty()) set_integrator(scene.integrator, a.integrator);
   if (!a.strategy.empty()) scene.integrator.strategy = Strategy{a.strategy[0], a.strategy[1]};
   check_requirements(scene, a.scene);
