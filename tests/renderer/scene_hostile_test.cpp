@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "io/exr.hpp"
-#include "scene/mesh_reader.hpp"
+#include "scene/build.hpp"
 #include "scene/search_path.hpp"
 #include "scene/xml_file.hpp"
 #include "scene_files.hpp"
@@ -90,6 +90,30 @@ TEST_CASE("scene hostile: an exr's attribute isn't believed to be longer than th
   const std::string error = error_of([&] { renderer::read_exr(damaged); });
   CHECK(contains(error, "damaged.exr: "));
   CHECK(contains(error, "\"channels\" claims 2147483647 bytes"));
+}
+
+TEST_CASE("scene hostile: shapes and lights too small or too large for their numbers are refused") {
+  const auto error = [](const std::string& shape, const std::string& scale) {
+    const auto scene = scene_test::read("<sensor type=\"perspective\"/><shape type=\"" + shape +
+                                        "\"><transform name=\"to_world\">" + "<scale value=\"" +
+                                        scale + "\"/></transform><emitter type=\"area\"/></shape>");
+    return error_of([&] { renderer::build_scene(*scene); });
+  };
+  CHECK(error("rectangle", "1") == "no error");
+  CHECK(
+      contains(error("rectangle", "1e-20"), "scene.xml:2: <emitter type=\"area\">: the shape has"));
+  CHECK(contains(error("rectangle", "1e20"), "allowed: coordinates up to 1e+18"));
+  CHECK(contains(error("sphere", "1e-20"), "allowed: a radius of 1e-18 or more"));
+  CHECK(contains(error("sphere", "1e19"), "up to 1e+18 from the origin"));
+}
+
+TEST_CASE("scene hostile: triangles that a transform leaves without an area are warned of") {
+  const auto scene = scene_test::read(
+      "<sensor type=\"perspective\"/><emitter type=\"constant\"/>"
+      "<shape type=\"cube\"><transform name=\"to_world\"><scale x=\"1e-38\"/></transform></shape>");
+  const auto warnings = renderer::build_scene(*scene).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(contains(warnings[0], "scene.xml:2: <shape type=\"cube\">: 8 of its 12 triangles"));
 }
 
 TEST_CASE("scene hostile: a picture without pixels is refused") {
