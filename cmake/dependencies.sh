@@ -28,6 +28,7 @@ dependency() {
     clang-fuzzer) echo "file:/usr/lib/llvm-16/lib/clang/16/lib/linux/libclang_rt.fuzzer-$(uname -m).a libclang-rt-16-dev" ;;
     clang-tidy) echo "command:clang-tidy-16 clang-tidy-16" ;;
     clang-format) echo "command:clang-format-16 clang-format-16" ;;
+    valgrind) echo "command:valgrind valgrind" ;;
     *) echo "dependencies.sh: nothing is known of '$1'" >&2; exit 2 ;;
   esac
 }

@@ -25,7 +25,7 @@ done
 
 source cmake/dependencies.sh
 require_dependencies compiler cmake ninja pkg-config glm embree openexr tbb pugixml cli11 json tinyobjloader png stb \
-  doctest rapidcheck benchmark clang clang-fuzzer clang-tidy clang-format
+  doctest rapidcheck benchmark clang clang-fuzzer clang-tidy clang-format valgrind
 
 jobs=$(nproc)
 passed=0 failed=0 skipped=0
