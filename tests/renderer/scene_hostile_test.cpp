@@ -5,6 +5,7 @@
 
 #include "io/exr.hpp"
 #include "scene/build.hpp"
+#include "scene/requirements.hpp"
 #include "scene/search_path.hpp"
 #include "scene/xml_file.hpp"
 #include "scene_files.hpp"
@@ -114,6 +115,16 @@ TEST_CASE("scene hostile: triangles that a transform leaves without an area are 
   const auto warnings = renderer::build_scene(*scene).warnings;
   REQUIRE(warnings.size() == 1);
   CHECK(contains(warnings[0], "scene.xml:2: <shape type=\"cube\">: 8 of its 12 triangles"));
+}
+
+TEST_CASE("scene hostile: a film that the memory doesn't hold is refused before it is begun") {
+  const auto scene = scene_test::read(
+      "<sensor type=\"perspective\"><film type=\"hdrfilm\"><integer name=\"width\" "
+      "value=\"65536\"/>"
+      "<integer name=\"height\" value=\"65536\"/></film></sensor><emitter type=\"constant\"/>");
+  renderer::Scene built = renderer::build_scene(*scene);
+  const std::string error = error_of([&] { renderer::check_requirements(built, "scene.xml"); });
+  CHECK(contains(error, "scene.xml:2: a film of 65536 x 65536 pixels takes 687 GB"));
 }
 
 TEST_CASE("scene hostile: a picture without pixels is refused") {
