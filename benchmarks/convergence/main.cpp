@@ -27,6 +27,7 @@
 #include <numeric>
 
 #include "../program.hpp"
+#include "budget.hpp"
 #include "io/atomic_file.hpp"
 #include "planning.hpp"
 #include "report.hpp"
@@ -237,7 +238,7 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--reference", a.recipes,
                  "How the two halves of the reference are made, as in: bdpt vcm:0.25, the latter "
                  "with merges' radii a quarter of the scene's (default: bdpt path; with smooth "
-                 "glass bdpt vcm:0.25; where lights are behind it, vcm:0.25 twice)")
+                 "glass bdpt vcm:0.25; where most light leaves through it vcm:0.25 twice)")
       ->expected(2);
   app.add_option("--reference-seconds", a.reference_seconds,
                  "Of each half (default: 30 times --seconds, or a part of --budget)")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -35,7 +36,7 @@ double power_through_glass(const renderer::Scene& scene) {
 std::vector<Recipe> suited_recipes(const renderer::Scene& scene) {
   if (!std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), is_smooth_glass))
     return {Recipe::parse("bdpt"), Recipe::parse("path")};
-  const bool is_enclosed = power_through_glass(scene) > 0.99;
+  const bool is_enclosed = power_through_glass(scene) > 0.5;
   return {Recipe::parse(is_enclosed ? "vcm:0.25" : "bdpt"), Recipe::parse("vcm:0.25")};
 }
 
