@@ -35,7 +35,7 @@ struct Arguments {
   std::vector<std::string> dimensions{"threads", "depth", "photons", "resolution"};
   std::string folder = MALUS_SCENES_DIR, json;
   double seconds = 1, turn = 0.05;
-  int threads = 0;
+  int threads = 0, largest = 1024;
 };
 
 /// One setting of one dimension.
@@ -177,19 +177,20 @@ std::vector<Setting> settings_of(const Arguments& a, const std::string& dimensio
         list.push_back(s);
       }
   };
+  std::vector<int> sides;
+  for (int side = 64; side <= a.largest; side *= 2) sides.push_back(side);
   for (const auto& scene : a.scenes) {
     if (dimension == "threads") add(scene, {"path", "bdpt", "vcm"}, {0}, [](Setting&, int) {});
     if (dimension == "depth")
       add(scene, {"path", "bdpt"}, {2, 4, 8, 16, 32},
           [](Setting& s, int depth) { s.max_depth = depth; });
     if (dimension == "photons")
-      add(scene, {"ppm", "vcm"}, {64, 128, 256, 512, 1024}, [](Setting& s, int side) {
+      add(scene, {"ppm", "vcm"}, sides, [](Setting& s, int side) {
         s.resolution = side;
         s.value = side * side;
       });
     if (dimension == "resolution")
-      add(scene, {"path", "bdpt"}, {64, 128, 256, 512, 1024},
-          [](Setting& s, int side) { s.resolution = side; });
+      add(scene, {"path", "bdpt"}, sides, [](Setting& s, int side) { s.resolution = side; });
   }
   return list;
 }
@@ -234,6 +235,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--threads", a.threads, "The most (0: all there are)")
       ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  app.add_option("--largest", a.largest, "The most pixels across that pictures have")
+      ->check(CLI::Range(64, 4096))
       ->capture_default_str();
   app.add_option("--json", a.json, "File of the same rows");
   return benchmarks::run_program(app, argc, argv, [&] { return run(a); });
