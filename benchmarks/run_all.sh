@@ -49,8 +49,8 @@ run() {
     return 1
   fi
   say "$part: $*"
-  # Three times as long as everything is for what hangs.
-  timeout "$(share 3)" "$@" >"$out/$part.md" 2>"$out/$part.log" || status=$?
+  # Three times as long as everything, and five minutes at least, is for what hangs.
+  timeout "$(awk -v m="$minutes" 'BEGIN { printf "%d", m < 1.7 ? 300 : m * 180 }')" "$@" >"$out/$part.md" 2>"$out/$part.log" || status=$?
   if ((status != 0)); then
     say "$part: failed with status $status: $(tail -n 1 "$out/$part.log")"
     echo "| $part | **failed** with status $status | $((SECONDS - start)) s |" >>"$summary"
@@ -76,8 +76,10 @@ compile() {
 }
 
 part_variants() {
-  # 24 rows of four variants.
-  run variants "$build/benchmarks/benchmark_variants" --seconds "$(share 0.25 96)" --json "$out/variants.json" || return
+  # 24 rows of four variants, of some rounds at least.
+  local resolution=256
+  awk -v m="$minutes" 'BEGIN { exit !(m < 10) }' && resolution=64
+  run variants "$build/benchmarks/benchmark_variants" --seconds "$(share 0.25 96)" --resolution $resolution --json "$out/variants.json" || return
   plot variants benchmarks/variants/plot.py "$out/variants.json" "$out/variants.svg"
 }
 
@@ -146,11 +148,14 @@ for part in $parts; do
   declare -F "part_$part" >/dev/null || { echo "run_all.sh: there is no part \"$part\"" >&2; exit 2; }
 done
 if [[ ${COMPILE:-1} != 0 ]]; then
-  compile "$build" -DMALUS_BUILD_TESTS=OFF >"$out/compile.log" 2>&1 && cmake --build "$build" >>"$out/compile.log" 2>&1 ||
+  if ! { compile "$build" -DMALUS_BUILD_TESTS=OFF && cmake --build "$build"; } >"$out/compile.log" 2>&1; then
     say "not everything is compiled: $out/compile.log"
+  fi
   if [[ " $parts " == *" profile "* ]] && command -v perf >/dev/null; then
-    compile "$profile" -DMALUS_BUILD_TESTS=OFF -DMALUS_BUILD_BENCHMARKS=OFF -DCMAKE_CXX_FLAGS=-g1 >>"$out/compile.log" 2>&1 &&
-      cmake --build "$profile" --target malus-render >>"$out/compile.log" 2>&1 || say "nothing to profile: $out/compile.log"
+    if ! { compile "$profile" -DMALUS_BUILD_TESTS=OFF -DMALUS_BUILD_BENCHMARKS=OFF -DCMAKE_CXX_FLAGS=-g1 &&
+      cmake --build "$profile" --target malus-render; } >>"$out/compile.log" 2>&1; then
+      say "nothing to profile: $out/compile.log"
+    fi
   fi
 fi
 

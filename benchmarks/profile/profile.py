@@ -41,7 +41,10 @@ RULES = [
     (r"integrators/(camera_path|path_sweep)", "polarisation"),
     (r"renderer/(integrators|render|sensors)/", "walks"),
 ]
-LIBRARIES = [(r"libembree", "Embree"), (r"libtbb", "threads"), (r"libm[.-]", "sin, cos, exp"), (r"libc[.-]|libstdc", "memory")]
+# What reads the scene and writes the picture is no part of a path's time.
+OUTSIDE_PASSES = r"renderer/(io|image)/|renderer/scene/(?!scene\.)|renderer/render/(command_line|statistics|explain)"
+LIBRARIES = [(r"libembree", "Embree"), (r"libtbb", "threads"), (r"libm[.-]", "sin, cos, exp"), (r"libc[.-]|libstdc", "memory"),
+             (r"libz|libOpenEXR|libIlm|libIex|libImath|libpng|libpugixml|ld-linux", None)]
 PARTS = ["Embree", "rays", "BSDFs", "polarisation", "lights and shadow rays", "walks", "weights", "photon map", "media", "sampler", "film",
          "sin, cos, exp", "memory", "threads", "system", "others"]
 
@@ -58,6 +61,7 @@ def part_of(files):
 
 
 def part_of_library(name):
+    """None: of what is left out."""
     for pattern, part in LIBRARIES:
         if re.search(pattern, os.path.basename(name)):
             return part
@@ -82,7 +86,7 @@ def read_samples(data, program):
             start, size, offset = (int(v, 16) for v in found.groups()[:3])
             if os.path.realpath(found[4].strip()) == program:
                 maps.append((start, size, offset))
-        elif found := re.search(r"\s([0-9a-f]+) .*\((.*)\)\s*$", line):
+        elif found := re.search(r"\s([0-9a-f]+) \((.*)\)\s*$", line):
             ip, name = int(found[1], 16), found[2]
             if os.path.realpath(name) != program:
                 libraries[name] += 1
@@ -106,7 +110,7 @@ def look_up(program, addresses):
         if re.fullmatch(r"0x[0-9a-f]{16}", line):
             current = files.setdefault(int(line, 16), [])
         else:
-            current.append(line.rsplit(":", 1)[0])
+            current.append(os.path.normpath(line.rsplit(":", 1)[0]))
     return files
 
 
@@ -126,12 +130,12 @@ def profile(program, scene, integrator, mode, seconds, work):
         sys.exit(f"profile.py: {program} has no line tables: compile it with -g1")
     counts = collections.Counter()
     for address, count in addresses.items():
-        # Before and after the passes.
-        if any(re.search(r"renderer/(io|scene/(?!scene\.))", f) for f in files[address]):
+        if any(re.search(OUTSIDE_PASSES, f) for f in files[address]):
             continue
         counts[part_of(files[address])] += count
     for name, count in libraries.items():
-        counts[part_of_library(name)] += count
+        if part := part_of_library(name):
+            counts[part] += count
     total = sum(counts.values())
     path = 1e9 / facts["paths_per_second"]
     return {"scene": os.path.splitext(os.path.basename(scene))[0], "integrator": integrator, "mode": mode, "nanoseconds_per_path": path,
