@@ -28,7 +28,7 @@ def profile(rows):
     parts = list(dict.fromkeys(p for r in rows for p, ns in r["parts"].items() if ns > 0.01 * r["nanoseconds_per_path"]))
     listed = [[r["scene"], r["integrator"], r["mode"], f"{r['nanoseconds_per_path']:.0f}", f"{r['rays_per_path']:.1f}",
                *(f"{r['parts'].get(p, 0):.0f}" for p in parts)] for r in rows]
-    return "Nanoseconds a path, one thread.\n\n" + table(["scene", "algorithm", "mode", "all", "rays", *parts], listed)
+    return "Nanoseconds a path, one thread.\n\n" + table(["scene", "algorithm", "mode", "all", "rays a path", *parts], listed)
 
 
 def limits(content):

@@ -64,10 +64,11 @@ def panel(number, title, rows, reference, quantity):
         colour, dash = COLOURS.get(row["algorithm"], "black"), DASHES.get(row["variant"], 1)
         shape = SHAPES[min(samplers.index(row.get("sampler", "")), 2)]
         plots.append(f'${name} using 1:2 with lines lc rgb "{colour}" dt {dash} lw 1.6 notitle')
-        plots.append(f'${name} using 1:2:3:4 with yerrorbars lc rgb "{colour}" pt {shape} ps 0.4 lw 1 notitle')
-        plots.append(f'${name}h using 1:2 with points lc rgb "white" pt {shape} ps 0.25 notitle')
+        plots.append(f'${name} using 1:2:3:4 with yerrorbars lc rgb "{colour}" pt 0 lw 1 notitle')
+        plots.append(f'${name} using 1:2 with points lc rgb "{colour}" pt {shape} ps 0.7 notitle')
+        plots.append(f'${name}h using 1:2 with points lc rgb "white" pt {shape} ps 0.4 notitle')
         if row["variant"] == first:
-            keys.append(f'NaN with linespoints lc rgb "{colour}" pt {shape} ps 0.4 lw 1.6 title '
+            keys.append(f'NaN with linespoints lc rgb "{colour}" pt {shape} ps 0.7 lw 1.6 title '
                         f'"{key_of(row, quantity, len(samplers) > 1)}"')
     if not seen:
         return []

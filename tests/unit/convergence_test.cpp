@@ -191,6 +191,9 @@ TEST_CASE("convergence: a budget of time is spent once") {
   CHECK(near(row_cost(4, 5, 2), (1 + 1 + 1 + 0.5) * 5 * 2 + 1, 1e-12));
   const Budget budget{1000, 4};
   CHECK(near(2 * 4 * budget.reference_seconds(), 250, 1e-12));
+  // What references will take is not the first rows'.
+  CHECK(
+      near(budget.row_seconds(2 * budget.reference_seconds(), 12, 36, 3), 750.0 / (12 * 36), 1e-9));
   // Rows that take what they are given leave nothing, whatever references have taken.
   double passed = 0;
   std::size_t rows = 12;
