@@ -133,14 +133,10 @@ std::size_t count_skipped(const Needs& needs, Mode mode) {
       [](const auto& e) { return !e.matters && e.kind != PolarizingElement::Kind::extinction; }));
 }
 
-/// Sequences of a pixel help what its own paths find and connect. They do nothing for light that
-/// comes to a pixel from all over the picture, nor for the long walks in media.
 SamplerKind resolve_sampler(const std::string& name, const Scene& scene) {
-  const std::string& integrator = scene.integrator.name;
   if (name == "independent") return SamplerKind::independent;
   if (name == "sobol") return SamplerKind::sobol;
-  const bool connects = integrator == "path" || integrator == "bdpt" || integrator == "vcm";
-  return connects && !scene.has_media() ? SamplerKind::sobol : SamplerKind::independent;
+  return suited_sampler(scene);
 }
 
 void add_metadata(Image& image, const Arguments& a, const Scene& scene,

@@ -17,6 +17,14 @@ std::unique_ptr<Passes> make_passes(const Scene& scene, const RenderOptions& opt
                            : make_surface_passes(scene, options, film);
 }
 
+/// Sequences of a pixel help what its own paths find and connect. They do nothing for light that
+/// comes to a pixel from all over the picture, nor for the long walks in media.
+SamplerKind suited_sampler(const Scene& scene) {
+  const std::string& integrator = scene.integrator.name;
+  const bool connects = integrator == "path" || integrator == "bdpt" || integrator == "vcm";
+  return connects && !scene.has_media() ? SamplerKind::sobol : SamplerKind::independent;
+}
+
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
