@@ -32,11 +32,11 @@ render() {
 }
 
 # Killed in its midst, the rendering goes on to the same file, byte for byte, and leaves nothing else.
-scene=("$scenes/glossy.xml" -D resolution=96 --integrator vcm --seed 3 --spp 24)
+scene=("$scenes/glossy.xml" -D resolution=96 --integrator vcm --spp 24)
 cd "$folder" && mkdir killed || exit 1
-status 0 "a rendering" render "${scene[@]}" -o whole.exr
+status 0 "a rendering" render "${scene[@]}" --seed 3 -o whole.exr
 # In this shell: a function in the background is a shell of its own, which would be killed in its stead.
-"$programs/malus-render" "${scene[@]}" -o killed/part.exr --threads 1 --checkpoint killed/part.checkpoint --checkpoint-every 0 &
+"$programs/malus-render" "${scene[@]}" --seed 3 -o killed/part.exr --threads 1 --checkpoint killed/part.checkpoint --checkpoint-every 0 &
 for ((i = 0; i < 200; ++i)); do
   [[ -s killed/part.checkpoint ]] && break
   sleep 0.05
@@ -51,7 +51,7 @@ if [[ -e killed/part.checkpoint ]]; then
 else
   fail "no checkpoint was written"
 fi
-status 0 "going on" render "${scene[@]}" -o killed/part.exr --checkpoint killed/part.checkpoint --stats killed/stats.json
+status 0 "going on" render "${scene[@]}" --seed 3 -o killed/part.exr --checkpoint killed/part.checkpoint --stats killed/stats.json
 same whole.exr killed/part.exr "after a kill"
 grep -q '"resumed_from": 0' killed/stats.json && fail "it did not go on, but began anew"
 [[ $(ls -A killed) == $'part.exr\nstats.json' ]] || fail "left over: $(ls -A killed)"
@@ -68,7 +68,7 @@ for signal in INT:130 TERM:143; do
 done
 
 # Places that cannot be written, and no space: the picture that is there stays, and nothing beside it.
-small=("$scenes/diffuse.xml" -D resolution=64 --spp 1 --seed 1)
+small=("$scenes/diffuse.xml" -D resolution=64 --spp 1)
 status 0 "a small rendering" render "${small[@]}" -o kept.exr
 cp kept.exr before.exr
 mkdir a_folder
