@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Is everything in the pictures light? Renders the bundled scenes by every integrator and counts samples that were not finite,
+# Is everything in the pictures light? Renders the bundled scenes, small, by every integrator and counts samples that were not finite,
 # and pixels of which a colour has a degree of polarisation above 1 beyond rounding and its own standard error.
 #   benchmarks/realizability/run.sh [FOLDER_OF_THE_PROGRAMS [SECONDS [SCENE...]]]
 # SECONDS (1) are for each scene and integrator. Exit status 1 if a single one was found.
@@ -24,8 +24,13 @@ printf '%-20s %-8s %12s %10s %10s %10s\n' scene by samples 'not finite' 'DoP > 1
 all=0 bad=0
 for scene in "${scenes[@]}"; do
   name=$(basename "$scene" .xml)
+  # Small pictures, so that every algorithm's iterations, of the whole picture each, fit into the time.
+  size=()
+  for side in resolution:64 width:64 height:48; do
+    grep -q "<default name=\"${side%:*}\"" "$scene" && size+=(-D "${side%:*}=${side#*:}")
+  done
   for integrator in path ptracer bdpt ppm bpm vcm; do
-    "$programs/malus-render" "$scene" --integrator "$integrator" --mode optimized --time "$seconds" --seed 1 --standard-error \
+    "$programs/malus-render" "$scene" ${size[@]+"${size[@]}"} --integrator "$integrator" --mode optimized --time "$seconds" --seed 1 --standard-error \
       -o "$folder/out.exr" --stats "$folder/stats.json" >/dev/null 2>"$folder/err"
     status=$?
     if ((status != 0)); then
