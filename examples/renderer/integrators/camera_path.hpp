@@ -40,8 +40,15 @@ class CameraPath {
       sum_.scatter(sample.weight * factor);
     } else {
       if (R::defers && defers_) {
-        pending_.push_back({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
-        throughput_ *= sample.weight * factor;
+        const Rgb weight = sample.weight * factor;
+        throughput_ *= weight;
+        if (pending_.empty() && !scatterer.polarizes()) {
+          const auto f = R::depolarizer(weight);
+          counters_.count(f);
+          sum_.scatter(f);
+        } else {
+          pending_.push_back({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+        }
       } else {
         make({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
       }
@@ -75,6 +82,26 @@ class CameraPath {
   MALUS_INLINE void deposit(const typename R::Light& light) {
     catch_up();
     sum_.deposit(light);
+  }
+  /// What the current vertex scatters of light that arrives there, in directions whose value() is
+  /// known. Of unpolarised light no more than the matrix's first column is made, and where the
+  /// vertex before depolarises no more than m00.
+  MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                            const Scatterer<M>& scatterer, const BsdfValue& value,
+                            const typename R::Light& light) {
+    catch_up();
+    if constexpr (R::defers) {
+      if (R::is_unpolarized(light)) {
+        const Rgb intensity = R::intensity(light);
+        if (!sum_.reads_polarization() || !scatterer.polarizes())
+          return sum_.deposit(R::unpolarized(value.m00 * intensity));
+        return scatterer.template with_scattering<R>(
+            point, incident, exitant, value,
+            [&](const auto& f) { sum_.deposit(R::scatter_unpolarized(f, intensity)); });
+      }
+    }
+    sum_.deposit(renderer::scatter<R>(scatterer, point, incident, exitant, value, light,
+                                      sum_.reads_polarization()));
   }
   /// Whether more is read of light that leaves the current vertex than its intensity.
   bool reads_polarization() {
