@@ -47,10 +47,10 @@ class CameraPath {
           counters_.count(f);
           sum_.scatter(f);
         } else {
-          pending_.push_back({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+          defer(point, exitant, scatterer, sample, factor);
         }
       } else {
-        make({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+        make(point, exitant, scatterer, sample, factor);
       }
     }
   }
@@ -65,7 +65,9 @@ class CameraPath {
     if constexpr (R::defers) {
       throughput_ *= transmittance;
       if (!pending_.empty()) {
-        pending_.back().attenuation *= transmittance;
+        Scattered& last = pending_.back();
+        last.attenuation = last.is_attenuated ? last.attenuation * transmittance : transmittance;
+        last.is_attenuated = true;
         return;
       }
     }
@@ -149,27 +151,44 @@ class CameraPath {
     Scatterer<M> scatterer;
     BsdfSample sample;
     float factor;
-    Rgb attenuation;  ///< of the way on
+    bool is_attenuated;
+    Rgb attenuation;  ///< of the way on, if it is
+
+    /// Not defaulted: that would have every value set to zero before it is set.
+    Scattered() {}  // NOLINT
   };
+
+  MALUS_INLINE void defer(const SurfacePoint& point, const Vec3& exitant,
+                          const Scatterer<M>& scatterer, const BsdfSample& sample, float factor) {
+    Scattered& s = pending_.emplace_back();
+    s.point = point;
+    s.exitant = exitant;
+    s.scatterer = scatterer;
+    s.sample = sample;
+    s.factor = factor;
+    s.is_attenuated = false;
+  }
 
   /// Light has been found, or is to be asked for.
   MALUS_INLINE void catch_up() {
     if constexpr (R::defers) {
       if (pending_.empty()) return;
       for (const Scattered& s : pending_) {
-        make(s);
-        if constexpr (M::present) sum_.attenuate(s.attenuation);
+        make(s.point, s.exitant, s.scatterer, s.sample, s.factor);
+        if constexpr (M::present)
+          if (s.is_attenuated) sum_.attenuate(s.attenuation);
       }
       pending_.clear();
     }
   }
 
-  void make(const Scattered& s) {
-    s.scatterer.template with_weight<R>(s.point, s.exitant, Tracing::from_camera, s.sample,
-                                        s.factor, [&](const auto& f) {
-                                          counters_.count(f);
-                                          sum_.scatter(f);
-                                        });
+  void make(const SurfacePoint& point, const Vec3& exitant, const Scatterer<M>& scatterer,
+            const BsdfSample& sample, float factor) {
+    scatterer.template with_weight<R>(point, exitant, Tracing::from_camera, sample, factor,
+                                      [&](const auto& f) {
+                                        counters_.count(f);
+                                        sum_.scatter(f);
+                                      });
   }
 
   Counters& counters_;
