@@ -171,15 +171,17 @@ class CameraPath {
 
   /// Light has been found, or is to be asked for.
   MALUS_INLINE void catch_up() {
-    if constexpr (R::defers) {
-      if (pending_.empty()) return;
-      for (const Scattered& s : pending_) {
-        make(s.point, s.exitant, s.scatterer, s.sample, s.factor);
-        if constexpr (M::present)
-          if (s.is_attenuated) sum_.attenuate(s.attenuation);
-      }
-      pending_.clear();
+    if constexpr (R::defers)
+      if (!pending_.empty()) make_pending();
+  }
+
+  void make_pending() {
+    for (const Scattered& s : pending_) {
+      make(s.point, s.exitant, s.scatterer, s.sample, s.factor);
+      if constexpr (M::present)
+        if (s.is_attenuated) sum_.attenuate(s.attenuation);
     }
+    pending_.clear();
   }
 
   void make(const SurfacePoint& point, const Vec3& exitant, const Scatterer<M>& scatterer,

@@ -120,8 +120,9 @@ class PathIntegrator {
     path_.deposit(R::unpolarized(radiance * share));
   }
 
-  void deposit_direct_light(const Hit& hit, const Vec3& exitant, const Scatterer<M>& scatterer,
-                            int depth, Sampler& sampler) {
+  MALUS_INLINE void deposit_direct_light(const Hit& hit, const Vec3& exitant,
+                                         const Scatterer<M>& scatterer, int depth,
+                                         Sampler& sampler) {
     LightSample light;
     if (!scene_.sample_light(hit.position, sampler, light)) return;
     if (!scatterer.sides_agree(hit, light.direction)) return;
