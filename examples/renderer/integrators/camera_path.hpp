@@ -98,8 +98,9 @@ class CameraPath {
         if (!sum_.reads_polarization() || !scatterer.polarizes())
           return sum_.deposit(R::unpolarized(value.m00 * intensity));
         return scatterer.template with_scattering<R>(
-            point, incident, exitant, value,
-            [&](const auto& f) { sum_.deposit(R::scatter_unpolarized(f, intensity)); });
+            point, incident, exitant, value, [&](const auto& f) MALUS_INLINE_LAMBDA {
+              sum_.deposit(R::scatter_unpolarized(f, intensity));
+            });
       }
     }
     sum_.deposit(renderer::scatter<R>(scatterer, point, incident, exitant, value, light,
@@ -187,7 +188,7 @@ class CameraPath {
   void make(const SurfacePoint& point, const Vec3& exitant, const Scatterer<M>& scatterer,
             const BsdfSample& sample, float factor) {
     scatterer.template with_weight<R>(point, exitant, Tracing::from_camera, sample, factor,
-                                      [&](const auto& f) {
+                                      [&](const auto& f) MALUS_INLINE_LAMBDA {
                                         counters_.count(f);
                                         sum_.scatter(f);
                                       });
