@@ -8,6 +8,7 @@
 // trigonometry.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -113,7 +114,10 @@ class Frame {
   /// working precision, an arbitrary frame.
   template <Vector3 D, Vector3 H>
   static Frame toward(const D& direction, const H& hint) {
-    const vector d = detail::to_vec3<T>(direction), h = detail::to_vec3<T>(hint);
+    const vector d = detail::to_vec3<T>(direction), long_hint = detail::to_vec3<T>(hint);
+    // Of any length whose square is out of range, too.
+    const vector h =
+        long_hint / std::max({std::abs(long_hint.x), std::abs(long_hint.y), std::abs(long_hint.z)});
     const vector x = h - glm::dot(h, d) * d;
     const T length2 = glm::dot(x, x);
     constexpr T parallel = sizeof(T) == 4 ? T(1e-12) : T(1e-28);
@@ -161,7 +165,7 @@ namespace detail {
 template <class T>
 void check_one_direction(const Frame<T>& from, const Frame<T>& to, const char* operation) {
   const auto a = from.direction(), b = to.direction();
-  const T scale = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+  const T scale = std::sqrt(glm::dot(a, a)) * std::sqrt(glm::dot(b, b));
   // Two float directions computed in two ways differ by some 1e-6; a wrong vertex differs by far
   // more than 1e-3.
   if (glm::dot(a, b) >= T(1 - 1e-3) * scale) return;
