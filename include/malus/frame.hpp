@@ -115,9 +115,11 @@ class Frame {
   template <Vector3 D, Vector3 H>
   static Frame toward(const D& direction, const H& hint) {
     const vector d = detail::to_vec3<T>(direction), long_hint = detail::to_vec3<T>(hint);
+    const T largest =
+        std::max({std::abs(long_hint.x), std::abs(long_hint.y), std::abs(long_hint.z)});
+    if (!(largest > 0)) return about(d);
     // Of any length whose square is out of range, too.
-    const vector h =
-        long_hint / std::max({std::abs(long_hint.x), std::abs(long_hint.y), std::abs(long_hint.z)});
+    const vector h = long_hint / largest;
     const vector x = h - glm::dot(h, d) * d;
     const T length2 = glm::dot(x, x);
     constexpr T parallel = sizeof(T) == 4 ? T(1e-12) : T(1e-28);
@@ -162,10 +164,17 @@ struct StaticFrame {};
 namespace detail {
 
 #if MALUS_CHECK_FRAMES
+/// The vector over its largest component: of axes far from unit length the squares are no numbers.
+template <class T>
+glm::vec<3, T> of_order_one(const glm::vec<3, T>& v) {
+  const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? v / largest : v;
+}
+
 template <class T>
 void check_one_direction(const Frame<T>& from, const Frame<T>& to, const char* operation) {
-  const auto a = from.direction(), b = to.direction();
-  const T scale = std::sqrt(glm::dot(a, a)) * std::sqrt(glm::dot(b, b));
+  const auto a = of_order_one(from.direction()), b = of_order_one(to.direction());
+  const T scale = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
   // Two float directions computed in two ways differ by some 1e-6; a wrong vertex differs by far
   // more than 1e-3.
   if (glm::dot(a, b) >= T(1 - 1e-3) * scale) return;
