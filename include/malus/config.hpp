@@ -51,7 +51,7 @@
 #define MALUS_FAST_MATH 1
 #if !defined(MALUS_ALLOW_FAST_MATH)
 // clang-format off
-#pragma message("malus under -ffast-math: error bounds are twice those stated, last digits depend on the compiler, subnormal numbers may be flushed to zero, NaN and infinity are told by is_finite(), is_close() and is_physical() alone (docs/accuracy.md; no message with MALUS_ALLOW_FAST_MATH)")
+#pragma message("malus under -ffast-math: error bounds are twice those stated, the degree of polarisation drifts over long chains, last digits depend on the compiler, subnormal numbers may be flushed to zero, NaN and infinity are told by is_finite(), is_close() and is_physical() alone (docs/accuracy.md; no message with MALUS_ALLOW_FAST_MATH)")
 // clang-format on
 #endif
 #else
