@@ -4,7 +4,7 @@
 # libraries are here: with apt-get it installs those that are missing and nothing else; without, it names them and exits
 # with status 2. MALUS_NO_INSTALL=1 takes everything for granted.
 
-# What to look for (command:NAME|NAME or header:PATH|PATH, one of which will do) and Debian's package for it.
+# What to look for (command:NAME|NAME, header:PATH|PATH or file:PATH|PATH, one of which will do) and Debian's package for it.
 dependency() {
   case $1 in
     compiler) echo "command:c++ g++" ;;
@@ -25,8 +25,10 @@ dependency() {
     rapidcheck) echo "header:rapidcheck.h librapidcheck-dev" ;;
     benchmark) echo "header:benchmark/benchmark.h libbenchmark-dev" ;;
     clang) echo "command:clang++-16 clang-16" ;;
+    clang-fuzzer) echo "file:/usr/lib/llvm-16/lib/clang/16/lib/linux/libclang_rt.fuzzer-$(uname -m).a libclang-rt-16-dev" ;;
     clang-tidy) echo "command:clang-tidy-16 clang-tidy-16" ;;
     clang-format) echo "command:clang-format-16 clang-format-16" ;;
+    valgrind) echo "command:valgrind valgrind" ;;
     *) echo "dependencies.sh: nothing is known of '$1'" >&2; exit 2 ;;
   esac
 }
@@ -39,6 +41,8 @@ is_present() {
   for alternative in "${alternatives[@]}"; do
     if [[ $kind == command ]]; then
       command -v "$alternative" >/dev/null && return 0
+    elif [[ $kind == file ]]; then
+      [[ -e $alternative ]] && return 0
     else
       printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$alternative" | "${CXX:-c++}" -E -x c++ - >/dev/null 2>&1 &&
         return 0

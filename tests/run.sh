@@ -7,6 +7,7 @@
 #   clang    everything with Clang 16, unoptimised, and the library's tests with it
 #   asan     the tests under the address and undefined behaviour sanitizers; of the latter without the checks of pointers
 #            that the former makes as well, which take most of the time to compile
+#   fuzz     every reader of files and arguments under libFuzzer and the sanitizers, for a few seconds each
 #   format   clang-format finds nothing to change
 #   tidy     clang-tidy finds nothing to object to
 # Every CTest entry counts as one test, and so does each stage's build. The last line is the sum of them.
@@ -14,17 +15,17 @@ set -uo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 2
 
 stages=("$@")
-((${#stages[@]})) || stages=(release clang asan format tidy)
+((${#stages[@]})) || stages=(release clang asan fuzz format tidy)
 for stage in "${stages[@]}"; do
   case $stage in
-    release | clang | asan | format | tidy) ;;
-    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, format and tidy" >&2; exit 2 ;;
+    release | clang | asan | fuzz | format | tidy) ;;
+    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, fuzz, format and tidy" >&2; exit 2 ;;
   esac
 done
 
 source cmake/dependencies.sh
 require_dependencies compiler cmake ninja pkg-config glm embree openexr tbb pugixml cli11 json tinyobjloader png stb \
-  doctest rapidcheck benchmark clang clang-tidy clang-format
+  doctest rapidcheck benchmark clang clang-fuzzer clang-tidy clang-format valgrind
 
 jobs=$(nproc)
 passed=0 failed=0 skipped=0
@@ -90,6 +91,14 @@ stage_asan() {
   long+='|media agree: (a scene full|dense bodies|extinction|media within|density|each strategy)|slab: (Natraj|IPRT)'
   check "asan: build" build asan -DMALUS_BUILD_BENCHMARKS=OFF &&
     run_ctest asan --label-exclude 'package|compile_fail' --exclude-regex "^docs:|$long"
+}
+
+# Here they run what is known; tests/fuzz/run.sh looks further for as long as one wants.
+stage_fuzz() {
+  local fuzzer
+  for fuzzer in scene mesh picture volume arguments; do
+    check "fuzz: $fuzzer" bash tests/fuzz/run.sh 5 "$fuzzer"
+  done
 }
 
 own_sources() {

@@ -16,20 +16,18 @@
 // that nearly cancels is not held against an operation. Of light there is also the change of the
 // degree of polarisation, relative. Times are the least of rounds in which all ways and builds
 // take turns; of a chain they are one element's.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "../program.hpp"
 #include "exact.hpp"
 #include "inputs.hpp"
 #include "io/atomic_file.hpp"
-#include "io/input_error.hpp"
 
 extern "C" {
 double malus_accuracy_strict(const accuracy::Request&);
@@ -276,16 +274,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", a.seed)->capture_default_str();
   app.add_option("--json", a.json, "File of the same rows");
-  try {
-    app.parse(argc, argv);
-    return run(a);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  } catch (const renderer::InputError& e) {
-    std::cerr << "benchmark_accuracy: " << e.what() << '\n';
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "benchmark_accuracy: " << e.what() << '\n';
-    return 1;
-  }
+  return benchmarks::run_program(app, argc, argv, [&] { return run(a); });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace convergence {
 
@@ -70,6 +71,26 @@ double jackknife(const std::vector<double>& values) {
   return std::sqrt((n - 1) / n * square);
 }
 
+/// Student's 97.5 % point, from two degrees of freedom on to three digits (Abramowitz & Stegun
+/// 1964, 26.7.5).
+double student(std::size_t degrees) {
+  constexpr double exact[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447};
+  if (degrees <= std::size(exact)) return exact[degrees - 1];
+  constexpr double z = 1.959964;
+  const auto n = static_cast<double>(degrees);
+  return z + (z * z * z + z) / (4 * n) +
+         (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * n * n);
+}
+
+/// The logarithm of Gain's value; infinite where an error is 0 without a repeat.
+double log_gain(const Point& base, const Point& other, std::size_t quantity, bool at_equal_time,
+                std::optional<std::size_t> without = {}) {
+  double log = 2 * std::log(base.error(quantity, true, without)) -
+               2 * std::log(other.error(quantity, true, without));
+  if (at_equal_time) log += std::log(base.mean_seconds(without) / other.mean_seconds(without));
+  return log;
+}
+
 }  // namespace
 
 void Point::add_repeat(const std::vector<Picture>& pictures, const Reference& reference) {
@@ -83,10 +104,14 @@ void Point::add_repeat(const std::vector<Picture>& pictures, const Reference& re
   repeats.push_back(mean);
 }
 
-double Point::mean_seconds() const {
-  double total = 0;
-  for (const double s : seconds) total += s;
-  return total / static_cast<double>(seconds.size());
+double Point::mean_seconds(std::optional<std::size_t> without) const {
+  double total = 0, n = 0;
+  for (std::size_t r = 0; r < seconds.size(); ++r) {
+    if (without == r) continue;
+    total += seconds[r];
+    ++n;
+  }
+  return total / n;
 }
 
 double Point::error(std::size_t quantity, bool relative, std::optional<std::size_t> without) const {
@@ -141,6 +166,24 @@ std::optional<TimeTo> Curve::time_to(double error, std::size_t quantity,
       logs.push_back(std::log(t->seconds));
   if (logs.size() > 1) found->error = jackknife(logs);
   return found;
+}
+
+std::optional<Gain> gain_over(const Curve& base, const Curve& curve, std::size_t quantity,
+                              bool at_equal_time, const Reference& reference) {
+  for (std::size_t i = std::min(base.points.size(), curve.points.size()); i-- > 0;) {
+    const Point &b = base.points[i], &c = curve.points[i];
+    if (!b.resolved(quantity, reference) || !c.resolved(quantity, reference)) continue;
+    const std::size_t repeats = std::min(b.repeats.size(), c.repeats.size());
+    if (repeats < 2) return {};
+    std::vector<double> logs;
+    for (std::size_t r = 0; r < repeats; ++r)
+      logs.push_back(log_gain(b, c, quantity, at_equal_time, r));
+    const double log = log_gain(b, c, quantity, at_equal_time);
+    const double half = student(repeats - 1) * jackknife(logs);
+    if (!std::isfinite(half)) continue;
+    return Gain{c.samples, std::exp(log), std::exp(log - half), std::exp(log + half)};
+  }
+  return {};
 }
 
 }  // namespace convergence

@@ -18,7 +18,8 @@ struct Point {
   std::vector<Errors> repeats;  ///< the same
 
   void add_repeat(const std::vector<Picture>& pictures, const Reference& reference);
-  double mean_seconds() const;
+  /// Without one repeat, if one is named.
+  double mean_seconds(std::optional<std::size_t> without = {}) const;
   /// The root of the mean over repeats of the squared error (relative, or in the picture's units);
   /// 0 where that is below zero. Without one repeat, if one is named.
   double error(std::size_t quantity, bool relative = true,
@@ -48,7 +49,8 @@ struct TimeTo {
 };
 
 struct Curve {
-  std::string scene, algorithm, variant, mode;
+  std::string scene, algorithm, variant, sampler;  ///< the latter two as they were asked for
+  std::string mode, drawn_by;                      ///< and what they are in this scene
   std::vector<Point> points;
 
   /// The line through the points that are resolved; none if there are less than three.
@@ -60,5 +62,17 @@ struct Curve {
 };
 
 inline constexpr double reach = 30;
+
+/// How many times smaller a squared error is than another's, with its 95 % confidence interval.
+struct Gain {
+  std::uint64_t samples = 0;
+  double value = 1, low = 1, high = 1;
+};
+
+/// Of one curve over a base of the same sample counts, at the most samples where both are resolved.
+/// At equal time, the base's squared error is taken to fall by 1/time on the short way from its own
+/// time to the other's. The interval is Student's, by leaving out one repeat after the other.
+std::optional<Gain> gain_over(const Curve& base, const Curve& curve, std::size_t quantity,
+                              bool at_equal_time, const Reference& reference);
 
 }  // namespace convergence

@@ -116,6 +116,7 @@ Picture render(const renderer::Scene& scene, const Job& job) {
   options.mode = job.mode;
   options.samples_per_pixel = job.samples;
   options.seed = job.seed;
+  options.sampler = job.sampler;
   options.threads = job.threads;
   options.batches = 1;
   const std::atomic<bool> stop{false};

@@ -14,6 +14,7 @@ namespace convergence {
 
 struct Job {
   renderer::Mode mode = renderer::Mode::optimized;
+  renderer::SamplerKind sampler = renderer::SamplerKind::independent;
   std::uint64_t samples = 1, seed = 0;
   int threads = 1;
 };

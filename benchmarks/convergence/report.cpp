@@ -76,6 +76,21 @@ Json to_json(const Point& p, const Reference& reference) {
   return json;
 }
 
+std::string gain_text(const std::optional<Gain>& gain) {
+  if (!gain) return "—";
+  return digits(gain->value) + " (" + digits(gain->low) + " to " + digits(gain->high) + ")";
+}
+
+/// Calls use(base, curve) for every curve of another sampler than the first.
+void each_pair(const std::vector<Curve>& curves, const std::vector<std::string>& samplers,
+               auto&& use) {
+  for (const Curve& curve : curves)
+    for (const Curve& base : curves)
+      if (curve.sampler != samplers[0] && base.sampler == samplers[0] &&
+          base.algorithm == curve.algorithm && base.variant == curve.variant)
+        use(base, curve);
+}
+
 }  // namespace
 
 void print_reference_head() {
@@ -107,31 +122,76 @@ void print(const std::vector<Curve>& curves, const std::vector<double>& targets,
   if (curves.empty()) return;
   std::printf(
       "\nErrors of the longest renderings, and the slopes of error over time.\n\n"
-      "| scene | algorithm | variant | s | samples a pixel | S0 | S1–S3 | DoP | slope of S0 | of "
-      "S1–S3 | of DoP |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+      "| scene | algorithm | variant | sampler | s | samples a pixel | S0 | S1–S3 | DoP | slope of "
+      "S0 | of "
+      "S1–S3 | of DoP |\n|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const Curve& c : curves) {
     const Point& last = c.points.back();
-    std::printf("| %s | %s | %s | %s | %llu |", c.scene.c_str(), c.algorithm.c_str(),
-                c.variant.c_str(), digits(last.mean_seconds()).c_str(),
+    std::printf("| %s | %s | %s | %s | %s | %llu |", c.scene.c_str(), c.algorithm.c_str(),
+                c.variant.c_str(), c.sampler.c_str(), digits(last.mean_seconds()).c_str(),
                 static_cast<unsigned long long>(last.samples));
     for (const std::size_t q : shown) std::printf(" %s |", error_text(last, q, reference).c_str());
     for (const std::size_t q : shown)
       std::printf(" %s |", slope_text(c.line(q, reference)).c_str());
     std::printf("\n");
   }
-  std::printf("\nSeconds to a relative error.\n\n| scene | algorithm | variant |");
+  std::printf("\nSeconds to a relative error.\n\n| scene | algorithm | variant | sampler |");
   for (const std::size_t q : shown)
     for (const double t : targets) std::printf(" %s to %g |", quantity_names[q], t);
-  std::printf("\n|---|---|---|");
+  std::printf("\n|---|---|---|---|");
   for (std::size_t i = 0; i < std::size(shown) * targets.size(); ++i) std::printf("--:|");
   for (const Curve& c : curves) {
-    std::printf("\n| %s | %s | %s |", c.scene.c_str(), c.algorithm.c_str(), c.variant.c_str());
+    std::printf("\n| %s | %s | %s | %s |", c.scene.c_str(), c.algorithm.c_str(), c.variant.c_str(),
+                c.sampler.c_str());
     for (const std::size_t q : shown)
       for (const double t : targets)
         std::printf(" %s |", time_text(c.time_to(t, q, reference)).c_str());
   }
   std::printf("\n");
   std::fflush(stdout);
+}
+
+void print_gains(const std::vector<Curve>& curves, const std::vector<std::string>& samplers,
+                 const Reference& reference) {
+  if (samplers.size() < 2) return;
+  std::printf(
+      "\nHow many times smaller squared errors are than with the sampler \"%s\" (95 %%).\n\n"
+      "| scene | algorithm | variant | sampler | samples a pixel | S0, equal samples | S0, equal "
+      "time | S1–S3, equal samples | S1–S3, equal time |\n|---|---|---|---|--:|--:|--:|--:|--:|\n",
+      samplers[0].c_str());
+  each_pair(curves, samplers, [&](const Curve& base, const Curve& c) {
+    std::printf("| %s | %s | %s | %s |", c.scene.c_str(), c.algorithm.c_str(), c.variant.c_str(),
+                c.sampler.c_str());
+    const auto at = gain_over(base, c, 0, false, reference);
+    std::printf(" %s |", at ? std::to_string(at->samples).c_str() : "—");
+    for (const std::size_t q : {std::size_t{0}, polarization})
+      for (const bool at_equal_time : {false, true})
+        std::printf(" %s |", gain_text(gain_over(base, c, q, at_equal_time, reference)).c_str());
+    std::printf("\n");
+  });
+  std::fflush(stdout);
+}
+
+Json gains_to_json(const std::vector<Curve>& curves, const std::vector<std::string>& samplers,
+                   const Reference& reference) {
+  Json list = Json::array();
+  each_pair(curves, samplers, [&](const Curve& base, const Curve& c) {
+    for (std::size_t q = 0; q < quantities; ++q)
+      for (const bool at_equal_time : {false, true})
+        if (const auto g = gain_over(base, c, q, at_equal_time, reference))
+          list.push_back({{"scene", c.scene},
+                          {"algorithm", c.algorithm},
+                          {"variant", c.variant},
+                          {"sampler", c.sampler},
+                          {"over", base.sampler},
+                          {"quantity", quantity_names[q]},
+                          {"at_equal", at_equal_time ? "time" : "samples"},
+                          {"samples", g->samples},
+                          {"ratio", g->value},
+                          {"ratio_low", g->low},
+                          {"ratio_high", g->high}});
+  });
+  return list;
 }
 
 Json to_json(const SceneFile& file, const ReferencePlan& plan, const Reference& r) {
@@ -162,8 +222,8 @@ Json to_json(const SceneFile& file, const ReferencePlan& plan, const Reference& 
 
 Json to_json(const Curve& c, const std::vector<double>& targets, const Reference& reference) {
   Json json{{"scene", c.scene},        {"algorithm", c.algorithm}, {"variant", c.variant},
-            {"mode", c.mode},          {"points", Json::array()},  {"slopes", Json::object()},
-            {"time_to", Json::array()}};
+            {"sampler", c.sampler},    {"mode", c.mode},           {"drawn_by", c.drawn_by},
+            {"points", Json::array()}, {"slopes", Json::object()}, {"time_to", Json::array()}};
   for (const Point& p : c.points) json["points"].push_back(to_json(p, reference));
   for (std::size_t q = 0; q < quantities; ++q) {
     const auto line = c.line(q, reference);

@@ -2,15 +2,14 @@
 // The variance of S0 to S2 in thick layers of Rayleigh scatterers, where directions are drawn by
 // m00 alone and where the plane of scattering is drawn by the polarisation of what a path carries
 // (García Muñoz & Mills 2015), which is what the renderer does.
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "../program.hpp"
 #include "render/render.hpp"
 #include "scene/build.hpp"
 #include "scene/xml_reader.hpp"
@@ -56,15 +55,16 @@ void measure(const Arguments& a, const std::string& tau, const std::string& albe
 
 int main(int argc, char** argv) {
   Arguments a;
-  CLI::App app{"Variance in thick Rayleigh layers, by what directions are drawn by"};
+  CLI::App app("Variance in thick Rayleigh layers, by what directions are drawn by",
+               "benchmark_thick_media");
   app.add_option("--scene", a.scene, "a scene of one pixel with $tau and $albedo");
   app.add_option("--tau", a.thicknesses, "optical thicknesses");
   app.add_option("--albedo", a.albedos, "single-scattering albedos");
   app.add_option("--algorithm", a.integrators, "integrators");
   app.add_option("--seconds", a.seconds, "of each line")->check(CLI::PositiveNumber);
   app.add_option("--threads", a.threads)->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return benchmarks::run_program(app, argc, argv, [&] {
+    benchmarks::reject_nan("--seconds", a.seconds);
     std::printf(
         "| τ | albedo | algorithm | drawn by | S0 | S1 | S2 | σ of S0, one path | σ of S0, one "
         "second |\n|--:|--:|---|---|--:|--:|--:|--:|--:|\n");
@@ -73,8 +73,6 @@ int main(int argc, char** argv) {
         for (const auto& integrator : a.integrators)
           for (const bool by_polarization : {false, true})
             measure(a, tau, albedo, integrator, by_polarization);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "benchmark_thick_media: %s\n", e.what());
-    return 1;
-  }
+    return 0;
+  });
 }

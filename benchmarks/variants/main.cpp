@@ -3,16 +3,14 @@
 // second of each variant, and what following polarisation costs, as ratios to the unpolarized one.
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "../program.hpp"
 #include "io/atomic_file.hpp"
 #include "io/input_error.hpp"
 #include "measurement.hpp"
@@ -21,6 +19,7 @@
 #include "scene/needs.hpp"
 #include "scene/requirements.hpp"
 #include "scene/xml_reader.hpp"
+#include "variant.hpp"
 #include "verification.hpp"
 
 namespace {
@@ -146,6 +145,15 @@ void print_load(std::chrono::steady_clock::time_point start, std::clock_t start_
       seconds, 100 * work / seconds);
 }
 
+std::vector<Row> measure_one(const Arguments& a, const renderer::Scene& scene) {
+  std::vector<variants::Contender> contenders;
+  for (const Variant v : variants_of(a))
+    contenders.push_back({variants::name_of(v), [&scene, v](renderer::Film& film) {
+                            return variants::make_passes(v, scene, 1, film);
+                          }});
+  return variants::measure(scene, contenders, a.seconds, a.turn, a.threads == 1);
+}
+
 int measure(const Arguments& a) {
   if (!a.json.empty()) renderer::check_writable(a.json);
   const auto start = std::chrono::steady_clock::now();
@@ -156,8 +164,7 @@ int measure(const Arguments& a) {
     if (list.empty() || (a.paper_alone && !of_paper)) continue;
     print_head(of_paper ? "## Table 1 of the paper" : "## The other combinations");
     for (const auto& [scene, algorithm] : list)
-      for (Row& row : variants::measure(load(a, scene, algorithm), variants_of(a), a.seconds,
-                                        a.turn, a.threads)) {
+      for (Row& row : measure_one(a, load(a, scene, algorithm))) {
         row.scene = scene;
         print(row);
         json.push_back(to_json(row));
@@ -200,7 +207,7 @@ int verify(const Arguments& a) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Paths a second by scene, algorithm and variant");
+  CLI::App app("Paths a second by scene, algorithm and variant", "benchmark_variants");
   Arguments a;
   app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
   app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
@@ -223,19 +230,12 @@ int main(int argc, char** argv) {
   app.add_flag("--verify", a.verify,
                "Measure nothing: check that naive and optimized make the same pictures, and auto "
                "and unpolarized the same bits where nothing polarises");
-  try {
-    app.parse(argc, argv);
+  return benchmarks::run_program(app, argc, argv, [&] {
+    benchmarks::reject_nan("--seconds", a.seconds);
+    benchmarks::reject_nan("--turn", a.turn);
     const auto threads = static_cast<std::size_t>(a.threads);
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(a.threads);
     return arena.execute([&] { return a.verify ? verify(a) : measure(a); });
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  } catch (const renderer::InputError& e) {
-    std::cerr << "benchmark_variants: " << e.what() << '\n';
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "benchmark_variants: " << e.what() << '\n';
-    return 1;
-  }
+  });
 }

@@ -18,12 +18,12 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-/// One variant's rendering, with all it keeps from one iteration to the next.
+/// One rendering, with all it keeps from one iteration to the next.
 class Session {
  public:
-  Session(Variant variant, const renderer::Scene& scene, bool of_processor)
+  Session(const Contender& contender, const renderer::Scene& scene, bool of_processor)
       : film_(scene.film.crop_width, scene.film.crop_height, 1),
-        passes_(make_passes(variant, scene, 1, film_)),
+        passes_(contender.make(film_)),
         of_processor_(of_processor) {}
 
   /// The seconds that the next iterations take.
@@ -57,14 +57,14 @@ std::size_t who(std::size_t round, std::size_t k, std::size_t n) {
 
 }  // namespace
 
-std::vector<Row> measure(const renderer::Scene& scene, const std::vector<Variant>& variants,
-                         double seconds, double turn, int threads) {
-  const std::size_t n = variants.size();
+std::vector<Row> measure(const renderer::Scene& scene, const std::vector<Contender>& contenders,
+                         double seconds, double turn, bool of_processor) {
+  const std::size_t n = contenders.size();
   std::vector<std::unique_ptr<Session>> sessions;
   // The first iteration takes memory, and the second tells how long the others will take.
   double longest = 0;
-  for (const Variant v : variants) {
-    sessions.push_back(std::make_unique<Session>(v, scene, threads == 1));
+  for (const Contender& c : contenders) {
+    sessions.push_back(std::make_unique<Session>(c, scene, of_processor));
     sessions.back()->run(1);
     longest = std::max(longest, sessions.back()->run(1));
   }
@@ -86,12 +86,15 @@ std::vector<Row> measure(const renderer::Scene& scene, const std::vector<Variant
   for (std::size_t i = 0; i < n; ++i) {
     Row& row = rows[i];
     const renderer::Passes& passes = sessions[i]->passes();
-    row.variant = name_of(variants[i]);
+    row.variant = contenders[i].name;
     row.algorithm = scene.integrator.name;
     row.iterations = taken[i].size() * iterations;
     row.seconds = std::accumulate(taken[i].begin(), taken[i].end(), 0.0);
-    const auto paths = static_cast<double>(passes.counters().samples - warm[i]);
-    row.paths_per_second = paths / row.seconds;
+    const renderer::Counters counters = passes.counters();
+    const auto paths = static_cast<double>(counters.samples);
+    row.paths_per_second = (paths - static_cast<double>(warm[i])) / row.seconds;
+    row.rays_per_path = static_cast<double>(counters.rays + counters.shadow_rays) / paths;
+    row.merges_per_path = static_cast<double>(counters.merges) / paths;
     row.bytes_per_light_vertex = passes.light_vertices().bytes_per_vertex;
     if (i > 0) row.ratio = ratio_of(taken[0], taken[i]);
   }

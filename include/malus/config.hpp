@@ -44,7 +44,34 @@
 #define MALUS_HIDE_CONSTANTS 0
 #endif
 
+// -ffast-math is allowed, and loses what the message says; docs/accuracy.md has the details. Define
+// MALUS_ALLOW_FAST_MATH to be spared the message.
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#define MALUS_FAST_MATH 1
+#if !defined(MALUS_ALLOW_FAST_MATH)
+// clang-format off
+#pragma message("malus under -ffast-math: error bounds are twice those stated, the degree of polarisation drifts over long chains, last digits depend on the compiler, subnormal numbers may be flushed to zero, NaN and infinity are told by is_finite(), is_close() and is_physical() alone (docs/accuracy.md; no message with MALUS_ALLOW_FAST_MATH)")
+// clang-format on
+#endif
+#else
+#define MALUS_FAST_MATH 0
+#endif
+
 namespace malus {
+
+/// What this translation unit's compiler flags leave of what the library promises.
+namespace config {
+
+/// Compiled with -ffast-math or -ffinite-math-only (/fp:fast).
+inline constexpr bool fast_math = MALUS_FAST_MATH != 0;
+/// NaN and infinity pass through arithmetic as IEEE 754 says. Where they don't, is_finite(),
+/// is_close() and is_physical() tell them by their bits.
+inline constexpr bool keeps_nan = !fast_math;
+/// What the error bounds of docs/accuracy.md are to be multiplied by.
+inline constexpr int error_factor = fast_math ? 2 : 1;
+
+}  // namespace config
 
 /// What the handler is told: the axes of the frame that an operand is in and of the one that it had
 /// to be expressed in, and the operation that met them.

@@ -51,8 +51,9 @@ constexpr bool is_close(const A& a, const B& b, typename A::scalar_type toleranc
   detail::write_components(b, right);
   // a + (−b) brings b into a's frames, or a into b's where a has none.
   detail::write_components(a + b * V(T(-1)), difference);
-  for (const V& d : difference)
-    if (!is_finite(d)) return false;
+  // The operands, too: compilers with -ffast-math know infinity less infinity to be 0.
+  for (std::size_t i = 0; i < n; ++i)
+    if (!is_finite(left[i]) || !is_finite(right[i]) || !is_finite(difference[i])) return false;
   const T scale = std::max(detail::largest_magnitude(left, n), detail::largest_magnitude(right, n));
   return detail::largest_magnitude(difference, n) <= tolerance * scale;
 }

@@ -57,7 +57,8 @@ class PathSum {
 ///
 /// Everything is turned on the way out into the frame that the matrix before it expects light in,
 /// where that overlaps with the tracing of rays, and what is kept is two numbers a vertex instead
-/// of frames. Where that matrix reads the intensity alone, no more than the intensity is kept.
+/// of frames. Where that matrix reads the intensity alone, no more than the intensity is kept: a
+/// vertex that depolarises is joined with the next, and a chain of them is a PathSum.
 template <SpectralValue V, RuntimeFrameType F = Frame<scalar_t<V>>>
 class PathSweep {
  public:
@@ -70,8 +71,8 @@ class PathSweep {
   void begin() {
     vertices_.clear();
     vertices_.emplace_back();
-    lit_ = 0;
-    throughput_ = V(1);
+    lit_ = scatterings_ = lit_scatterings_ = 0;
+    throughput_ = chain_ = V(1);
     reads_polarization_ = true;
     has_entry_ = false;
   }
@@ -82,6 +83,11 @@ class PathSweep {
 
   MALUS_INLINE void deposit(const Light& light) {
     detail::visit_form(light, [&](auto form) MALUS_INLINE_LAMBDA { deposit_as<form()>(light); });
+  }
+  /// Of a form that is known when this is compiled.
+  template <StokesForm Form>
+  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
+    deposit_as<Form>(light);
   }
 
   MALUS_INLINE void scatter(const Scattering& f) { act(f); }
@@ -94,6 +100,11 @@ class PathSweep {
   /// A multiple of the identity, which every frame and order leaves alone, joins the scattering
   /// before it. What the current vertex already holds does not come this way.
   void attenuate(const V& transmittance) {
+    if (!reads_polarization_) {
+      chain_ *= transmittance;
+      throughput_ *= transmittance;
+      return;
+    }
     if (vertices_.size() == 1 || vertices_.back().deposit_form != StokesForm::zero)
       return act(PlainMueller<V, incident, exitant, F>::plain(transmittance));
     Vertex& before = vertices_[vertices_.size() - 2];
@@ -109,8 +120,8 @@ class PathSweep {
 
   /// The scatterings so far, and those of them that result() evaluates: none behind the last
   /// deposit.
-  std::size_t scatterings() const { return vertices_.size() - 1; }
-  std::size_t evaluated() const { return lit_ > 0 ? lit_ - 1 : 0; }
+  std::size_t scatterings() const { return scatterings_; }
+  std::size_t evaluated() const { return lit_scatterings_; }
   /// No light has been deposited.
   bool is_dark() const { return lit_ == 0; }
 
@@ -134,6 +145,9 @@ class PathSweep {
     MuellerForm form = MuellerForm::zero;
     Rotation<scalar_t<V>> turn;  ///< from the matrix's exit frame to where the one before enters
     V matrix[16];
+
+    /// Not defaulted: that would have every value set to zero.
+    Vertex() {}  // NOLINT
   };
 
   /// Light on its way back, in the frame that the next matrix expects.
@@ -183,9 +197,11 @@ class PathSweep {
       const V* from = detail::Access::values(light);
       Vertex& v = vertices_.back();
       const bool is_first = v.deposit_form == StokesForm::zero;
-      v.deposit[0] = is_first ? from[0] : v.deposit[0] + from[0];
+      const V intensity = chain_ * from[0];
+      v.deposit[0] = is_first ? intensity : v.deposit[0] + intensity;
       if (is_first) v.deposit_form = StokesForm::unpolarized;
       lit_ = vertices_.size();
+      lit_scatterings_ = scatterings_;
       if constexpr (Form == StokesForm::full) {
         if (!reads_polarization_) return;
         V s1 = from[1], s2 = from[2];
@@ -201,44 +217,57 @@ class PathSweep {
 
   template <class M>
   MALUS_INLINE void act(const M& m) {
+    ++scatterings_;
     detail::visit_form(m, [&](auto form) MALUS_INLINE_LAMBDA { act_as<form()>(m); });
-    vertices_.emplace_back();
   }
 
   template <MuellerForm Form, class M>
   MALUS_INLINE void act_as(const M& m) {
-    using enum MuellerForm;
-    Vertex& v = vertices_.back();
-    const V* from = detail::Access::values(m);
-    if constexpr (Form == zero) {
-      throughput_ = V(0);
+    if constexpr (Form == MuellerForm::zero) {
+      chain_ = throughput_ = V(0);
       reads_polarization_ = false;
     } else {
+      const V* from = detail::Access::values(m);
       throughput_ *= from[0];
-      if constexpr (needs_exit_frame(Form) && Form != depolarizing_enter) {
-        if (!reads_polarization_) return keep_row<Form>(v, m);
+      if (Form == MuellerForm::depolarizing || !reads_polarization_) {
+        if constexpr (needs_enter_frame(Form)) {
+          keep_row<Form>(m);
+        } else {
+          chain_ *= from[0];
+          reads_polarization_ = false;
+        }
+      } else {
+        keep<Form>(m);
       }
-      if constexpr (needs_exit_frame(Form))
-        if (reads_polarization_) v.turn = turn_to_entry(m.exit());
-      v.form = Form;
-      detail::copy_values<value_count(Form)>(from, v.matrix);
-      if constexpr (needs_enter_frame(Form))
-        enter(m);
-      else if constexpr (!is_collinear(Form))
-        reads_polarization_ = false;
     }
+  }
+
+  template <MuellerForm Form, class M>
+  MALUS_INLINE void keep(const M& m) {
+    Vertex& v = vertices_.back();
+    if constexpr (needs_exit_frame(Form)) v.turn = turn_to_entry(m.exit());
+    v.form = Form;
+    detail::copy_values<value_count(Form)>(detail::Access::values(m), v.matrix);
+    if constexpr (needs_enter_frame(Form))
+      enter(m);
+    else if constexpr (!is_collinear(Form))
+      reads_polarization_ = false;
+    vertices_.emplace_back();
   }
 
   /// What is left of a matrix where nothing but the intensity of what leaves is read.
   template <MuellerForm Form, class M>
-  MALUS_INLINE void keep_row(Vertex& v, const M& m) {
+  MALUS_INLINE void keep_row(const M& m) {
+    Vertex& v = vertices_.back();
     const V* from = detail::Access::values(m);
     v.form = MuellerForm::depolarizing_exit;
     for (int c = 0; c < 4; ++c) {
       const int place = detail::slot(Form, 0, c);
-      v.matrix[c] = place < 0 ? V(0) : from[place];
+      v.matrix[c] = place < 0 ? V(0) : chain_ * from[place];
     }
+    chain_ = V(1);
     enter(m);
+    vertices_.emplace_back();
   }
 
   template <class M>
@@ -259,7 +288,9 @@ class PathSweep {
 
   std::vector<Vertex> vertices_;
   std::size_t lit_ = 0;  // vertices up to the last that light was deposited at
+  std::size_t scatterings_ = 0, lit_scatterings_ = 0;  // so far, and up to the last deposit
   V throughput_ = V(1);
+  V chain_ = V(1);  // what is left of intensity since the current vertex, if it depolarises
   bool reads_polarization_ = true;
   bool has_entry_ = false;
   F entry_, outermost_;  // of the matrix before the current vertex; of what leaves the first

@@ -77,6 +77,11 @@ struct Polarized {
       });
     }
   }
+  /// The same of unpolarised light: the first column alone, with its form as a type if f has it so.
+  template <MuellerForm Form>
+  MALUS_INLINE static auto scatter_unpolarized(const ScatteringAs<Form>& f, const V& intensity) {
+    return f * Stokes<V, incident, frame, StokesForm::unpolarized>::unpolarized(intensity);
+  }
   /// The end of a stretch is no vertex: what leaves it is still on its way.
   static Light transmit(const Transmittance& t, const Light& light) {
     return detail::retag<Light>(propagate(light, t));

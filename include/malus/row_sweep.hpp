@@ -29,6 +29,11 @@ class RowSweep {
   }
   bool reads_polarization() const { return sweep_.reads_polarization(); }
   MALUS_INLINE void deposit(const Light& light) { sweep_.deposit(light); }
+  /// Of a form that is known when this is compiled.
+  template <StokesForm Form>
+  MALUS_INLINE void deposit(const Stokes<V, exitant, F, Form>& light) {
+    sweep_.deposit(light);
+  }
   MALUS_INLINE void scatter(const Scattering& f) { scatter_by(f); }
   /// Of a form that is known when this is compiled.
   template <MuellerForm Form>

@@ -319,7 +319,7 @@ TEST_CASE("an AtomicFile that is not committed leaves nothing behind") {
   {
     renderer::AtomicFile file(folder / "a");
     file.write("abc", 3);
-    CHECK(folder.files() == 1);
+    CHECK(folder.files() <= 1);  // none where the temporary has no name
   }
   CHECK(folder.files() == 0);
 }

@@ -11,8 +11,7 @@ using namespace scene_test;
 
 namespace {
 
-const std::filesystem::path scenes =
-    std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "examples" / "scenes";
+const std::filesystem::path scenes = MALUS_SCENES_DIR;
 
 Scene example(const std::string& name, const Definitions& definitions = {}) {
   return renderer::read_scene(scenes / name, definitions);

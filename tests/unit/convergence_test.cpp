@@ -5,8 +5,11 @@
 #include "../../benchmarks/convergence/curve.cpp"
 #include "../../benchmarks/convergence/errors.cpp"
 
+#include "../../benchmarks/convergence/budget.hpp"
+
 #include <doctest/doctest.h>
 
+#include <array>
 #include <random>
 
 using namespace convergence;
@@ -37,7 +40,7 @@ Half half(unsigned seed, double noise, double offset = 0) {
 
 /// Errors c·tᵖ in all quantities, of three repeats that differ a little.
 Curve curve(double c, double power) {
-  Curve result{"scene", "path", "optimized", "optimized", {}};
+  Curve result{"scene", "path", "optimized", "auto", "optimized", "sobol", {}};
   for (const double t : {1.0, 2.0, 4.0, 8.0}) {
     Point p;
     for (const double part : {0.98, 1.0, 1.02}) {
@@ -50,6 +53,16 @@ Curve curve(double c, double power) {
     result.points.push_back(p);
   }
   return result;
+}
+
+/// The same with errors and times of each repeat times a factor.
+Curve scaled(Curve c, const std::array<double, 3>& error, double time) {
+  for (Point& p : c.points)
+    for (std::size_t r = 0; r < p.repeats.size(); ++r) {
+      for (double& square : p.repeats[r].relative_square) square *= error[r] * error[r];
+      p.seconds[r] *= time;
+    }
+  return c;
 }
 
 /// Equal but for a part.
@@ -127,4 +140,68 @@ TEST_CASE("convergence: slopes, times to an error, and what is too close to the 
   CHECK(curve(0.026, 0).points[0].resolved(0, reference));
   CHECK_FALSE(curve(0.024, 0).points[0].resolved(0, reference));
   CHECK_FALSE(curve(0.02, -0.5).line(0, reference));
+}
+
+TEST_CASE(
+    "convergence: a gain is the ratio of squared errors, at equal time less what time it costs") {
+  const Reference reference(half(100, 0.05), half(200, 0.05));
+  const Curve base = curve(0.4, -0.5), better = scaled(base, {0.5, 0.5, 0.5}, 1.25);
+  const auto at_equal_samples = gain_over(base, better, 0, false, reference),
+             at_equal_time = gain_over(base, better, 0, true, reference);
+  REQUIRE((at_equal_samples && at_equal_time));
+  CHECK(near(at_equal_samples->value, 4, 1e-9));
+  CHECK(near(at_equal_time->value, 4 / 1.25, 1e-9));
+  // All repeats gain alike: nothing is uncertain.
+  CHECK(near(at_equal_samples->low, 4, 1e-9));
+  CHECK(near(at_equal_samples->high, 4, 1e-9));
+}
+
+TEST_CASE("convergence: a gain's interval is Student's of what repeats differ by") {
+  const Reference reference(half(100, 0.05), half(200, 0.05));
+  const Curve base = curve(0.4, -0.5), other = scaled(base, {0.9, 1, 1.1}, 1);
+  const auto gain = gain_over(base, other, 0, false, reference);
+  REQUIRE(gain);
+  // Without one repeat after the other, of squares 0.98², 1, 1.02² and these times 0.9², 1, 1.1².
+  std::array<double, 3> logs{};
+  const double b[] = {0.9604, 1, 1.0404}, c[] = {0.9604 * 0.81, 1, 1.0404 * 1.21};
+  double mean = 0, square = 0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    logs[r] = std::log((b[(r + 1) % 3] + b[(r + 2) % 3]) / (c[(r + 1) % 3] + c[(r + 2) % 3]));
+    mean += logs[r] / 3;
+  }
+  for (const double l : logs) square += (l - mean) * (l - mean);
+  const double half_width = 4.303 * std::sqrt(square * 2 / 3);
+  CHECK(near(std::log(gain->high / gain->value), half_width, 1e-6));
+  CHECK(near(std::log(gain->value / gain->low), half_width, 1e-6));
+}
+
+TEST_CASE("convergence: a gain is told only where both errors are above the reference's") {
+  const Reference reference(half(100, 0.05), half(200, 0.05));
+  const Curve base = curve(0.1, -0.5), exact = curve(1e-4, 0);
+  CHECK_FALSE(gain_over(base, exact, 0, false, reference));
+  // At the fourth point 0.035 is above the reference's 0.0124 twice, half of it is not.
+  const auto gain = gain_over(base, scaled(base, {0.6, 0.6, 0.6}, 1), 0, false, reference);
+  REQUIRE(gain);
+  CHECK(near(gain->value, 1 / 0.36, 1e-9));
+}
+
+TEST_CASE("convergence: a budget of time is spent once") {
+  // The longest rendering once a repeat, half of it twice, a quarter four times, an eighth four
+  // times.
+  CHECK(near(row_cost(4, 5, 2), (1 + 1 + 1 + 0.5) * 5 * 2 + 1, 1e-12));
+  const Budget budget{1000, 4};
+  CHECK(near(2 * 4 * budget.reference_seconds(), 250, 1e-12));
+  // What references will take is not the first rows'.
+  CHECK(
+      near(budget.row_seconds(2 * budget.reference_seconds(), 12, 36, 3), 750.0 / (12 * 36), 1e-9));
+  // Rows that take what they are given leave nothing, whatever references have taken.
+  double passed = 0;
+  std::size_t rows = 12;
+  for (std::size_t scene = 0; scene < 4; ++scene) {
+    passed += scene == 2 ? 5 : 2 * budget.reference_seconds();  // one is in the cache
+    for (int i = 0; i < 3; ++i, --rows)
+      passed += 36 * budget.row_seconds(passed, rows, 36, 3 - scene);
+  }
+  CHECK(near(passed, 1000, 1e-9));
+  CHECK(budget.row_seconds(2000, 3, 36, 0) > 0);
 }

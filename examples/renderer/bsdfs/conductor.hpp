@@ -27,8 +27,8 @@ struct Conductor {
   }
 
   template <class R>
-  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-              const BsdfSample& sample, float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);

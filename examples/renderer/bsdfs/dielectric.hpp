@@ -41,8 +41,8 @@ struct Dielectric {
   }
 
   template <class R>
-  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-              const BsdfSample& sample, float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Side side(*this, point, known);
       const Flow flow(known, sample.direction, tracing);

@@ -64,8 +64,8 @@ class Plastic {
   }
 
   template <class R>
-  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                  const BsdfValue& value) const {
+  MALUS_INLINE auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                               const BsdfValue& value) const {
     if constexpr (R::polarized)
       return base_matrix(point.normal, incident, exitant,
                          transmission(glm::dot(point.normal, incident)),
@@ -75,8 +75,8 @@ class Plastic {
   }
 
   template <class R>
-  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-              const BsdfSample& sample, float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       if (sample.is_delta) {

@@ -60,8 +60,8 @@ struct PolarizedPlastic {
   }
 
   template <class R>
-  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                  const BsdfValue& value) const {
+  MALUS_INLINE auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                               const BsdfValue& value) const {
     if constexpr (R::polarized)
       return matrix(point, incident, exitant, value.lobe, diffuse_reflectance(point) * (1 / pi));
     else
@@ -69,8 +69,8 @@ struct PolarizedPlastic {
   }
 
   template <class R>
-  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-              const BsdfSample& sample, float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const float share = glm::dot(point.normal, sample.direction) * factor / (pi * sample.pdf);

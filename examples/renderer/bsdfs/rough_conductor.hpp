@@ -43,8 +43,8 @@ struct RoughConductor {
   }
 
   template <class R>
-  auto scattering(const SurfacePoint&, const Vec3& incident, const Vec3& exitant,
-                  const BsdfValue& value) const {
+  MALUS_INLINE auto scattering(const SurfacePoint&, const Vec3& incident, const Vec3& exitant,
+                               const BsdfValue& value) const {
     if constexpr (R::polarized)
       return block(incident, exitant) * value.lobe;
     else
@@ -52,8 +52,8 @@ struct RoughConductor {
   }
 
   template <class R>
-  auto weight(const SurfacePoint&, const Vec3& known, Tracing tracing, const BsdfSample& sample,
-              float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint&, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       return block(flow.incident, flow.exitant) * (sample.lobe * factor);
@@ -79,7 +79,7 @@ struct RoughConductor {
     return where_negative(-below, (a - b) * p / below, Rgb(0.0f));
   }
 
-  FacetMueller block(const Vec3& incident, const Vec3& exitant) const {
+  MALUS_INLINE FacetMueller block(const Vec3& incident, const Vec3& exitant) const {
     const auto frames = facet_frames(incident, exitant);
     return malus::conductor_reflection(reflected_cosine(incident, exitant), eta, k, frames.enter,
                                        frames.exit);

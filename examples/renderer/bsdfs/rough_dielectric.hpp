@@ -54,8 +54,8 @@ struct RoughDielectric {
   }
 
   template <class R>
-  auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                  const BsdfValue& value) const {
+  MALUS_INLINE auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                               const BsdfValue& value) const {
     if constexpr (R::polarized)
       return block(point, incident, exitant, value.lobe);
     else
@@ -63,8 +63,8 @@ struct RoughDielectric {
   }
 
   template <class R>
-  auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-              const BsdfSample& sample, float factor) const {
+  MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
+                           const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const auto fresnel = block(point, flow.incident, flow.exitant, Rgb(1.0f));
@@ -128,8 +128,8 @@ struct RoughDielectric {
   }
 
   /// The facet's Fresnel block, scaled.
-  FacetMueller block(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                     const Rgb& scale) const {
+  MALUS_INLINE FacetMueller block(const SurfacePoint& point, const Vec3& incident,
+                                  const Vec3& exitant, const Rgb& scale) const {
     const auto frames = facet_frames(incident, exitant);
     const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
     const float behind = index_behind(cos_i);

@@ -58,6 +58,7 @@ class AreaLight {
   float pdf(const Geometry& geometry, const Vec3& from, const Hit& hit) const;
 
   bool emit(const Geometry& geometry, const Vec2& place, const Vec2& u, EmissionSample& e) const;
+  float area() const { return area_; }
   /// The density, by area and solid angle, of emit() at a cosine from the normal.
   float emission_pdf(float cosine) const { return std::max(cosine, 0.0f) / (pi * area_); }
   /// As LightSample has it, of a path that emit() started and that has reached `to`.

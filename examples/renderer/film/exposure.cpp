@@ -6,7 +6,10 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include "../integrators/counters.hpp"
 
 namespace renderer {
 
@@ -43,12 +46,19 @@ void Exposure::add(std::span<const SplatList> lists) {
       tbb::simple_partitioner());
 }
 
-void Exposure::develop(std::size_t layer, std::size_t batch, Film& film) const {
+std::uint64_t Exposure::develop(std::size_t layer, std::size_t batch, Film& film) const {
+  std::atomic<std::uint64_t> dropped{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels_, 4096),
                     [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t p = range.begin(); p != range.end(); ++p)
-                        film.at(p, batch).add(readings_[layer * pixels_ + p]);
+                      for (std::size_t p = range.begin(); p != range.end(); ++p) {
+                        const auto& reading = readings_[layer * pixels_ + p];
+                        if (is_finite(reading))
+                          film.at(p, batch).add(reading);
+                        else
+                          ++dropped;
+                      }
                     });
+  return dropped;
 }
 
 }  // namespace renderer

@@ -43,8 +43,9 @@ class Exposure {
   /// What light paths have brought, on all threads; the sums don't depend on their number.
   void add(std::span<const SplatList> lists);
 
-  /// Adds a layer to one batch of a film, as one sample of every pixel.
-  void develop(std::size_t layer, std::size_t batch, Film& film) const;
+  /// Adds a layer to one batch of a film, as one sample of every pixel, but of those where it is
+  /// not finite; how many these are.
+  std::uint64_t develop(std::size_t layer, std::size_t batch, Film& film) const;
 
   std::size_t bytes() const { return readings_.size() * sizeof(readings_[0]); }
 

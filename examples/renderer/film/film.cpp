@@ -70,10 +70,12 @@ double Film::relative_noise() const {
   return lit > 0 ? noise / static_cast<double>(lit) : 0;
 }
 
-Image Film::image(StokesFrame frame) const {
+Image Film::image(StokesFrame frame, bool with_errors) const {
   std::vector<std::string> names{"R", "G", "B"};
   for (const char* s : {"S0", "S1", "S2", "S3"})
     for (const char* c : {".R", ".G", ".B"}) names.push_back(std::string(s) + c);
+  if (with_errors)
+    for (std::size_t i = 3; i < 15; ++i) names.push_back("SE" + names[i].substr(1));
   Image image(width_, height_, names);
   const std::size_t pixels = image.pixels();
   for (std::size_t p = 0; p < pixels; ++p) {
@@ -84,6 +86,10 @@ Image Film::image(StokesFrame frame) const {
       image.data[(i + 3) * pixels + p] = value;
       if (i < 3) image.data[i * pixels + p] = value;
     }
+    if (!with_errors) continue;
+    const std::array<double, 12> errors = standard_error(p);
+    for (std::size_t i = 0; i < 12; ++i)
+      image.data[(i + 15) * pixels + p] = static_cast<float>(errors[i]);
   }
   return image;
 }

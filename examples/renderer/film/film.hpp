@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <malus/measurement.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ class Film {
   std::size_t batches() const { return batches_; }
   PixelSum& at(std::size_t pixel, std::size_t batch) { return sums_[pixel * batches_ + batch]; }
 
+  /// All of them, by pixel, then batch.
+  std::span<PixelSum> sums() { return sums_; }
+  std::span<const PixelSum> sums() const { return sums_; }
+
   /// A pixel's sum over its batches, always in the same order.
   PixelSum total(std::size_t pixel) const;
   /// The standard error of a pixel's 12 means, from the spread of its batches' means; NaN where
@@ -49,8 +54,8 @@ class Film {
   /// was sampled.
   double relative_noise() const;
 
-  /// R G B and S0.R … S3.B.
-  Image image(StokesFrame frame) const;
+  /// R G B and S0.R … S3.B; with errors, SE0.R … SE3.B too.
+  Image image(StokesFrame frame, bool with_errors = false) const;
 
  private:
   int width_, height_;

@@ -68,7 +68,11 @@ void add_options(CLI::App& app, ImageOptions& options) {
       ->expected(2)
       ->type_name("A B");
   app.add_flag("--info", options.info, "print size, channels, metadata and mean Stokes vector");
-  app.add_flag("--json", options.json, "print --info or --compare as JSON");
+  app.add_flag("--physical", options.physical,
+               "count pixels that are no light: not finite, or of a degree of polarisation above 1 "
+               "beyond rounding and, where the file has them, standard errors; exit status 1 if "
+               "there are any");
+  app.add_flag("--json", options.json, "print --info, --physical or --compare as JSON");
   app.add_option("--channel", options.channel,
                  "use one colour (R, G, B) instead of the mean of all")
       ->type_name("COLOUR");
@@ -96,9 +100,9 @@ int malus_image(int argc, const char* const* argv, std::ostream& out, std::ostre
   try {
     add_options(app, options);
     app.parse(argc, argv);
-    run_image(options, out, err);
+    const int status = run_image(options, out, err);
     if (!out.flush()) return fail("cannot write to standard output", work_failed);
-    return 0;
+    return status;
   } catch (const CLI::ParseError& error) {
     // Help and version come as exceptions, too; CLI11's many statuses for errors are one to us.
     return app.exit(error, out, err) == 0 ? 0 : input_wrong;

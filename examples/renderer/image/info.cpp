@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -51,7 +52,9 @@ Info describe(const Image& file, const StokesImage& stokes) {
       }
       sums[color].add(s);
       all_physical = all_physical && is_physical(s);
-      info.max_dop = std::max(info.max_dop, degree_of_polarization(s));
+      // Subnormal numbers have too few digits for a degree.
+      if (s[0] >= std::numeric_limits<float>::min())
+        info.max_dop = std::max(info.max_dop, degree_of_polarization(s));
     }
     if (!all_finite) ++info.not_finite;
     if (!all_physical) ++info.unphysical;

@@ -19,6 +19,7 @@
 #include "filter.hpp"
 #include "finite.hpp"
 #include "info.hpp"
+#include "realizability.hpp"
 #include "show.hpp"
 #include "stokes_image.hpp"
 
@@ -120,6 +121,19 @@ void run_info(const ImageOptions& options, std::ostream& out) {
   }
 }
 
+/// 1 if not every pixel is light.
+int run_physical(const ImageOptions& options, std::ostream& out) {
+  const Image file = read_exr(options.input);
+  const Realizability result =
+      check_realizability(file, select_channel(stokes_image(file, options.input), options.channel));
+  if (options.json) {
+    print_json(to_json(result), out);
+  } else {
+    out << to_text(result);
+  }
+  return result.unphysical() > 0 ? 1 : 0;
+}
+
 void run_picture(const ImageOptions& options, std::ostream& err) {
   const bool to_exr = ends_with(options.output, ".exr");
   check_output(options, options.show.empty());
@@ -138,10 +152,12 @@ void run_picture(const ImageOptions& options, std::ostream& err) {
 
 void check_options(const ImageOptions& options) {
   const bool picture = !options.show.empty() || !options.filters.empty();
-  const int actions = int{options.info} + int{picture} + int{!options.compare.empty()};
+  const int actions =
+      int{options.info} + int{options.physical} + int{picture} + int{!options.compare.empty()};
   if (actions != 1) {
-    throw InputError(actions == 0 ? "nothing to do: give --show, --filter, --info or --compare"
-                                  : "--info, --compare and --show or --filter exclude each other");
+    throw InputError(
+        actions == 0 ? "nothing to do: give --show, --filter, --info, --physical or --compare"
+                     : "--info, --physical, --compare and --show or --filter exclude each other");
   }
   if (!options.compare.empty() && !options.input.empty()) {
     throw InputError("--compare takes exactly two files, and \"" + options.input + "\" is a third");
@@ -149,10 +165,11 @@ void check_options(const ImageOptions& options) {
   if (options.compare.empty() && options.input.empty()) {
     throw InputError("an input file is missing: malus-image IN.exr ...");
   }
-  if (options.info && !options.output.empty()) {
-    throw InputError("--info prints to the terminal and takes no -o");
+  if ((options.info || options.physical) && !options.output.empty()) {
+    throw InputError(std::string(options.info ? "--info" : "--physical") +
+                     " prints to the terminal and takes no -o");
   }
-  if (options.json && picture) throw InputError("--json goes with --info or --compare");
+  if (options.json && picture) throw InputError("--json goes with --info, --physical or --compare");
   if (!is_finite(options.exposure) || std::fabs(options.exposure) > 100) {
     throw InputError("--exposure: must be a number of stops from -100 to 100");
   }
@@ -164,8 +181,9 @@ void check_options(const ImageOptions& options) {
 
 }  // namespace
 
-void run_image(const ImageOptions& options, std::ostream& out, std::ostream& err) {
+int run_image(const ImageOptions& options, std::ostream& out, std::ostream& err) {
   check_options(options);
+  if (options.physical) return run_physical(options, out);
   if (options.info) {
     run_info(options, out);
   } else if (!options.compare.empty()) {
@@ -173,6 +191,7 @@ void run_image(const ImageOptions& options, std::ostream& out, std::ostream& err
   } else {
     run_picture(options, err);
   }
+  return 0;
 }
 
 }  // namespace renderer

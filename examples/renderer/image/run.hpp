@@ -21,10 +21,11 @@ struct ImageOptions {
   float scale = 1;
   float difference_scale = 0;  // 0: as scale
   bool info = false;
+  bool physical = false;
   bool json = false;
 };
 
-/// Results go to `out`, remarks on them to `err`.
-void run_image(const ImageOptions& options, std::ostream& out, std::ostream& err);
+/// Results go to `out`, remarks on them to `err`; the exit status.
+int run_image(const ImageOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace renderer

@@ -4,7 +4,9 @@
 // and is never rotated to.
 #pragma once
 
-#include <malus/analysis/physicality.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <malus/analysis/polarization_state.hpp>
 #include <malus/side.hpp>
 #include <malus/stokes.hpp>
@@ -22,7 +24,21 @@ inline bool is_finite(const StokesPixel& s) {
   return is_finite(s[0]) && is_finite(s[1]) && is_finite(s[2]) && is_finite(s[3]);
 }
 
+/// By how much of the polarised part more than there is light; negative where the vector can be one
+/// of light. In double precision, since squares of small floats vanish.
+inline double excess_of_polarization(const StokesPixel& s) {
+  const auto part = [&](std::size_t i) { return static_cast<double>(s[i]); };
+  return std::hypot(part(1), part(2), part(3)) - part(0);
+}
+
+/// What of an excess is rounding: of a part of 10⁻⁴, and of subnormal numbers, which have few
+/// digits or one, some of the least there is.
+inline double rounding(const StokesPixel& s) {
+  return 1e-4 * std::fabs(static_cast<double>(s[0])) +
+         4 * static_cast<double>(std::numeric_limits<float>::denorm_min());
+}
+
 /// Whether any light can have this Stokes vector, but for rounding.
-inline bool is_physical(const StokesPixel& s) { return malus::is_physical(s, 1e-4F); }
+inline bool is_physical(const StokesPixel& s) { return excess_of_polarization(s) <= rounding(s); }
 
 }  // namespace renderer

@@ -40,10 +40,17 @@ class CameraPath {
       sum_.scatter(sample.weight * factor);
     } else {
       if (R::defers && defers_) {
-        pending_.push_back({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
-        throughput_ *= sample.weight * factor;
+        const Rgb weight = sample.weight * factor;
+        throughput_ *= weight;
+        if (pending_.empty() && !scatterer.polarizes()) {
+          const auto f = R::depolarizer(weight);
+          counters_.count(f);
+          sum_.scatter(f);
+        } else {
+          defer(point, exitant, scatterer, sample, factor);
+        }
       } else {
-        make({point, exitant, scatterer, sample, factor, Rgb(1.0f)});
+        make(point, exitant, scatterer, sample, factor);
       }
     }
   }
@@ -58,7 +65,9 @@ class CameraPath {
     if constexpr (R::defers) {
       throughput_ *= transmittance;
       if (!pending_.empty()) {
-        pending_.back().attenuation *= transmittance;
+        Scattered& last = pending_.back();
+        last.attenuation = last.is_attenuated ? last.attenuation * transmittance : transmittance;
+        last.is_attenuated = true;
         return;
       }
     }
@@ -75,6 +84,27 @@ class CameraPath {
   MALUS_INLINE void deposit(const typename R::Light& light) {
     catch_up();
     sum_.deposit(light);
+  }
+  /// What the current vertex scatters of light that arrives there, in directions whose value() is
+  /// known. Of unpolarised light no more than the matrix's first column is made, and where the
+  /// vertex before depolarises no more than m00.
+  MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
+                            const Scatterer<M>& scatterer, const BsdfValue& value,
+                            const typename R::Light& light) {
+    catch_up();
+    if constexpr (R::defers) {
+      if (R::is_unpolarized(light)) {
+        const Rgb intensity = R::intensity(light);
+        if (!sum_.reads_polarization() || !scatterer.polarizes())
+          return sum_.deposit(R::unpolarized(value.m00 * intensity));
+        return scatterer.template with_scattering<R>(
+            point, incident, exitant, value, [&](const auto& f) MALUS_INLINE_LAMBDA {
+              sum_.deposit(R::scatter_unpolarized(f, intensity));
+            });
+      }
+    }
+    sum_.deposit(renderer::scatter<R>(scatterer, point, incident, exitant, value, light,
+                                      sum_.reads_polarization()));
   }
   /// Whether more is read of light that leaves the current vertex than its intensity.
   bool reads_polarization() {
@@ -122,27 +152,46 @@ class CameraPath {
     Scatterer<M> scatterer;
     BsdfSample sample;
     float factor;
-    Rgb attenuation;  ///< of the way on
+    bool is_attenuated;
+    Rgb attenuation;  ///< of the way on, if it is
+
+    /// Not defaulted: that would have every value set to zero before it is set.
+    Scattered() {}  // NOLINT
   };
+
+  MALUS_INLINE void defer(const SurfacePoint& point, const Vec3& exitant,
+                          const Scatterer<M>& scatterer, const BsdfSample& sample, float factor) {
+    Scattered& s = pending_.emplace_back();
+    s.point = point;
+    s.exitant = exitant;
+    s.scatterer = scatterer;
+    s.sample = sample;
+    s.factor = factor;
+    s.is_attenuated = false;
+  }
 
   /// Light has been found, or is to be asked for.
   MALUS_INLINE void catch_up() {
-    if constexpr (R::defers) {
-      if (pending_.empty()) return;
-      for (const Scattered& s : pending_) {
-        make(s);
-        if constexpr (M::present) sum_.attenuate(s.attenuation);
-      }
-      pending_.clear();
-    }
+    if constexpr (R::defers)
+      if (!pending_.empty()) make_pending();
   }
 
-  void make(const Scattered& s) {
-    s.scatterer.template with_weight<R>(s.point, s.exitant, Tracing::from_camera, s.sample,
-                                        s.factor, [&](const auto& f) {
-                                          counters_.count(f);
-                                          sum_.scatter(f);
-                                        });
+  void make_pending() {
+    for (const Scattered& s : pending_) {
+      make(s.point, s.exitant, s.scatterer, s.sample, s.factor);
+      if constexpr (M::present)
+        if (s.is_attenuated) sum_.attenuate(s.attenuation);
+    }
+    pending_.clear();
+  }
+
+  void make(const SurfacePoint& point, const Vec3& exitant, const Scatterer<M>& scatterer,
+            const BsdfSample& sample, float factor) {
+    scatterer.template with_weight<R>(point, exitant, Tracing::from_camera, sample, factor,
+                                      [&](const auto& f) MALUS_INLINE_LAMBDA {
+                                        counters_.count(f);
+                                        sum_.scatter(f);
+                                      });
   }
 
   Counters& counters_;

@@ -120,8 +120,9 @@ class PathIntegrator {
     path_.deposit(R::unpolarized(radiance * share));
   }
 
-  void deposit_direct_light(const Hit& hit, const Vec3& exitant, const Scatterer<M>& scatterer,
-                            int depth, Sampler& sampler) {
+  MALUS_INLINE void deposit_direct_light(const Hit& hit, const Vec3& exitant,
+                                         const Scatterer<M>& scatterer, int depth,
+                                         Sampler& sampler) {
     LightSample light;
     if (!scene_.sample_light(hit.position, sampler, light)) return;
     if (!scatterer.sides_agree(hit, light.direction)) return;
@@ -137,8 +138,7 @@ class PathIntegrator {
     const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : found));
     const float cosine = scatterer.cosine(hit, light.direction);
     const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * share)));
-    path_.deposit(scatter<R>(scatterer, hit, light.direction, exitant, value, arriving,
-                             path_.reads_polarization()));
+    path_.deposit(hit, light.direction, exitant, scatterer, value, arriving);
   }
 
   /// As many sheets as a path that finds the light by itself would be allowed.

@@ -12,6 +12,9 @@ namespace renderer {
 template <class R>
 malus::Measurement<Rgb> read(const Sensor& sensor, const Vec3& ray_direction,
                              const typename R::Light& light, const Rgb& weight = Rgb(1.0f)) {
+  if constexpr (R::defers)
+    if (R::is_unpolarized(light))  // the sensor's frame doesn't matter
+      return {weight * R::intensity(light), Rgb(0.0f), Rgb(0.0f), Rgb(0.0f)};
   if constexpr (R::polarized)
     return R::measure(R::importance(weight, sensor.frame(ray_direction)), light);
   else

@@ -35,6 +35,8 @@ class Scatterer<NoMedia> {
 
   static constexpr bool is_medium() { return false; }
   bool is_delta() const { return bsdf_->is_delta(); }
+  /// Else it depolarises.
+  bool polarizes() const { return bsdf_->polarizes() || bsdf_->is_sheet(); }
 
   MALUS_INLINE static bool sides_agree(const SurfacePoint& p, const Vec3& w) {
     return p.sides_agree(w);
@@ -82,6 +84,10 @@ class Scatterer<WithMedia> {
   bool is_medium() const { return medium_ != nullptr; }
   const Medium& medium() const { return *medium_; }
   bool is_delta() const { return bsdf_ && bsdf_->is_delta(); }
+  /// Else it depolarises.
+  bool polarizes() const {
+    return is_medium() ? medium_->phase().polarizes() : bsdf_->polarizes() || bsdf_->is_sheet();
+  }
 
   bool sides_agree(const SurfacePoint& p, const Vec3& w) const {
     return is_medium() || p.sides_agree(w);

@@ -42,11 +42,31 @@ void turn_size_limit_into_error() {
   }
 }
 
-int open_temporary(const std::string& folder, std::string& name) {
+std::string temporary_name(const std::string& folder) {
   static std::atomic<unsigned> counter{0};
+  return folder + "/.malus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) +
+         ".tmp";
+}
+
+/// A file's own entry, by which a file that has no name can be given one.
+std::string entry_of(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
+/// A file without a name, of which nothing is left when the program is killed; −1 where the file
+/// system (NFS) or the system knows no such files.
+int open_nameless(const std::string& folder) {
+#ifdef O_TMPFILE
+  const int descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor < 0 || ::access(entry_of(descriptor).c_str(), F_OK) == 0) return descriptor;
+  ::close(descriptor);
+#else
+  static_cast<void>(folder);
+#endif
+  return -1;
+}
+
+int open_temporary(const std::string& folder, std::string& name) {
   for (int attempt = 0; attempt < 100; ++attempt) {
-    name =
-        folder + "/.malus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    name = temporary_name(folder);
     // 0666 and not mkstemp's 0600: the finished file gets the permissions the user's umask asks
     // for.
     const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -93,7 +113,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   check_writable(path);
   turn_size_limit_into_error();
   target_ = follow_link(path);
-  descriptor_ = open_temporary(folder_of(target_), temporary_);
+  descriptor_ = open_nameless(folder_of(target_));
+  if (descriptor_ < 0) descriptor_ = open_temporary(folder_of(target_), temporary_);
   if (descriptor_ < 0) {
     const int error = errno;
     temporary_.clear();
@@ -135,6 +156,15 @@ void AtomicFile::write(const void* bytes, std::size_t count) {
 void AtomicFile::commit() {
   if (!failure_.empty()) throw WorkError(failure_);
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("flushing to the disk failed", errno);
+  // A name can be given to a file only where there is none, so it takes its place by renaming, too.
+  for (int attempt = 0; temporary_.empty(); ++attempt) {
+    const std::string name = temporary_name(folder_of(target_));
+    if (::linkat(AT_FDCWD, entry_of(descriptor_).c_str(), AT_FDCWD, name.c_str(),
+                 AT_SYMLINK_FOLLOW) == 0)
+      temporary_ = name;
+    else if (errno != EEXIST || attempt == 100)
+      fail("giving it a name failed", errno);
+  }
   const int descriptor = descriptor_;
   descriptor_ = -1;
   if (::close(descriptor) != 0) fail("closing failed", errno);

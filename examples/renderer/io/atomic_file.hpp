@@ -2,7 +2,9 @@
 // A file that appears at its path whole or not at all: the bytes go to a temporary file in the same
 // folder, which is flushed to the disk and renamed over the target by commit(). Until then, and
 // after any failure, whatever stood at the path stands there unchanged and the temporary is
-// removed.
+// removed. The temporary has no name before commit(), so that a program that is killed leaves
+// nothing, but where the file system can't do that (NFS): there it is .malus-PID-NUMBER.tmp, and
+// what is left of it may be deleted. Nobody else does: its process may live on another machine.
 #pragma once
 
 #include <cstddef>

@@ -21,6 +21,7 @@
 #include <system_error>
 
 #include "atomic_file.hpp"
+#include "exr_header.hpp"
 #include "input_error.hpp"
 
 namespace renderer {
@@ -61,7 +62,7 @@ constexpr std::uint64_t max_values = std::uint64_t{1} << 31;
 /// out by the file, which the compressions in use shrink about a thousandfold at the very most.
 void check_size(std::uint64_t width, std::uint64_t height, std::uint64_t channels,
                 std::uint64_t file_size) {
-  constexpr std::uint64_t believed = std::uint64_t{1} << 26;
+  constexpr std::uint64_t believed = std::uint64_t{1} << 22;
   constexpr std::uint64_t values_per_byte = 1024;
   const std::uint64_t values = width * height * channels;
   const std::string claim = std::to_string(width) + " x " + std::to_string(height) + " pixels of " +
@@ -167,6 +168,7 @@ Image read_exr(const std::string& path) {
       if (::access(path.c_str(), R_OK) != 0) throw InputError(where, "cannot be read");
       throw InputError(where, "is not an OpenEXR file");
     }
+    check_attribute_sizes(path);
     return read_first_part(path, size);
   } catch (const InputError&) {
     throw;

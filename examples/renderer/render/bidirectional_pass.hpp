@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <cstdint>
+#include <vector>
 
 #include "../film/exposure.hpp"
 #include "../integrators/bidirectional.hpp"
@@ -44,7 +46,7 @@ class BidirectionalPass {
         if (!run_part(i, layers, tile, std::min(tile + tiles_at_once, tiles_.count()), stopped))
           return false;
       for (std::size_t layer = 0; layer < layers; ++layer)
-        exposure_.develop(layer, static_cast<std::size_t>((i + layer) % film_.batches()), film_);
+        develop(layer, static_cast<std::size_t>((i + layer) % film_.batches()));
     }
     return true;
   }
@@ -53,8 +55,12 @@ class BidirectionalPass {
   /// first, which is short of some light.
   void salvage() {
     exposure_.add(splats_);
-    exposure_.develop(0, 0, film_);
+    develop(0, 0);
   }
+
+  /// Of a run() that is stopped nothing is kept.
+  std::vector<std::uint8_t> finished() const { return {}; }
+  bool resume(const std::vector<std::uint8_t>& finished) { return finished.empty(); }
 
   /// Up to which iteration the next run() goes, which is as short as may be: what is stopped within
   /// is lost.
@@ -63,6 +69,7 @@ class BidirectionalPass {
   Counters counters() const {
     Counters sum;
     for (const auto& worker : integrators_) sum += worker.integrator.counters();
+    sum.non_finite += overflown_;
     return sum;
   }
 
@@ -234,6 +241,10 @@ class BidirectionalPass {
     return list;
   }
 
+  void develop(std::size_t layer, std::size_t batch) {
+    overflown_ += exposure_.develop(layer, batch, film_);
+  }
+
   void note_memory() {
     std::size_t sum = photons_.bytes() + media_photons_.bytes();
     for (const auto& paths : paths_) sum += bytes(paths);
@@ -253,6 +264,7 @@ class BidirectionalPass {
   std::vector<LightPaths<R, M>> paths_;   // by task, where all are needed at once
   PhotonMap<R> photons_, media_photons_;  // on surfaces, and in media
   std::size_t peak_bytes_ = 0;
+  std::uint64_t overflown_ = 0;  // pixels' samples that were finite by parts but not in sum
   tbb::enumerable_thread_specific<Worker> integrators_;
 };
 

@@ -14,11 +14,13 @@
 #include <ostream>
 
 #include "../io/atomic_file.hpp"
+#include "../io/digest.hpp"
 #include "../io/exr.hpp"
 #include "../scene/build.hpp"
 #include "../scene/needs.hpp"
 #include "../scene/requirements.hpp"
 #include "../scene/xml_reader.hpp"
+#include "checkpoint.hpp"
 #include "explain.hpp"
 #include "progress_bar.hpp"
 #include "statistics.hpp"
@@ -28,29 +30,36 @@ namespace renderer {
 namespace {
 
 std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+std::atomic<int> stop_signal{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "a signal handler may set them");
 
 /// The first signal asks for a stop; a second one kills, should the stop take too long.
 extern "C" void request_stop(int signal) {
+  stop_signal = signal;
   stop_requested = true;
   std::signal(signal, SIG_DFL);
 }
 
+std::string version() {
+  return std::to_string(MALUS_VERSION_MAJOR) + "." + std::to_string(MALUS_VERSION_MINOR) + "." +
+         std::to_string(MALUS_VERSION_PATCH);
+}
+
 struct Arguments {
   std::string scene, output, integrator, mode = "auto", stokes_frame = "horizontal", stats;
-  std::string sampler = "auto";
+  std::string sampler = "auto", checkpoint;
   std::vector<std::string> definitions;
   std::vector<int> strategy;
   std::optional<std::uint64_t> samples, seed;
-  double seconds = 0;
+  std::uint64_t first_sample = 0;
+  double seconds = 0, checkpoint_every = 60;
   int threads = 0;
-  bool explain = false;
+  bool explain = false, confined = false, standard_error = false;
 };
 
 void add_options(CLI::App& app, Arguments& a) {
-  app.set_version_flag("--version", std::to_string(MALUS_VERSION_MAJOR) + "." +
-                                        std::to_string(MALUS_VERSION_MINOR) + "." +
-                                        std::to_string(MALUS_VERSION_PATCH));
+  app.set_version_flag("--version", version());
   app.add_option("scene", a.scene, "Scene in Mitsuba 3 XML")->required();
   app.add_option("-o,--output", a.output, "OpenEXR file to write (required, but for --explain)");
   app.add_option(
@@ -94,6 +103,8 @@ void add_options(CLI::App& app, Arguments& a) {
       ->take_all()
       ->expected(1)
       ->type_name("NAME=VALUE");
+  app.add_flag("--confined", a.confined,
+               "Refuse scenes that read files outside of their own folder");
   app.add_option(
          "--stokes-frame", a.stokes_frame,
          "Where S1 and S2 are measured from: the picture's horizontal, counter-clockwise, or up")
@@ -101,10 +112,26 @@ void add_options(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   app.add_option("--stats", a.stats,
                  "JSON file of counts, rates and, of a radiancemeter, readings");
+  app.add_option("--first-sample", a.first_sample,
+                 "Number of the first sample: runs of one seed whose numbers don't overlap are "
+                 "parts of one picture, for malus-merge")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+  app.add_flag("--standard-error", a.standard_error,
+               "Write the components' standard errors too, as SE0.R ... SE3.B");
+  app.add_option("--checkpoint", a.checkpoint,
+                 "File to go on from, if it is there, and to keep for that until the picture is "
+                 "complete");
+  app.add_option("--checkpoint-every", a.checkpoint_every, "Seconds between checkpoints")
+      ->check(CLI::Range(0.0, 1e8))
+      ->capture_default_str();
   app.add_flag("--explain", a.explain,
                "Say what the scene needs of polarisation, media and light paths, and why, instead "
                "of rendering it");
 }
+
+/// Enough for an error of the error of a fifth.
+constexpr std::size_t batches_for_errors = 16;
 
 std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& texts) {
   std::map<std::string, std::string> definitions;
@@ -123,6 +150,24 @@ Mode resolve_mode(const std::string& name, const Needs& needs) {
   return name == "optimized" || needs.polarization() ? Mode::optimized : Mode::unpolarized;
 }
 
+/// What tells renderings apart whose samples must not be added up.
+std::map<std::string, std::string> identity_of(const Scene& scene, const RenderOptions& options,
+                                               const Digest& digest) {
+  const IntegratorSettings& s = scene.integrator;
+  std::map<std::string, std::string> identity{
+      {"version", version()},
+      {"scene (its files and -D)", digest.text()},
+      {"integrator", s.name},
+      {"strategy",
+       s.strategy ? std::to_string(s.strategy->s) + "," + std::to_string(s.strategy->t) : "all"},
+      {"mode", options.mode == Mode::unpolarized ? "unpolarized" : "optimized"},
+      {"sampler", name_of(options.sampler)},
+      {"seed", std::to_string(options.seed)},
+      {"first sample", std::to_string(options.first_sample)},
+      {"number of batches", std::to_string(options.batches)}};
+  return identity;
+}
+
 /// The elements whose polarisation `auto` doesn't follow.
 std::size_t count_skipped(const Needs& needs, Mode mode) {
   if (mode == Mode::unpolarized) return needs.elements.size();
@@ -131,22 +176,19 @@ std::size_t count_skipped(const Needs& needs, Mode mode) {
       [](const auto& e) { return !e.matters && e.kind != PolarizingElement::Kind::extinction; }));
 }
 
-/// Sequences of a pixel help what its own paths find and connect. They do nothing for light that
-/// comes to a pixel from all over the picture, nor for the long walks in media.
 SamplerKind resolve_sampler(const std::string& name, const Scene& scene) {
-  const std::string& integrator = scene.integrator.name;
   if (name == "independent") return SamplerKind::independent;
   if (name == "sobol") return SamplerKind::sobol;
-  const bool connects = integrator == "path" || integrator == "bdpt" || integrator == "vcm";
-  return connects && !scene.has_media() ? SamplerKind::sobol : SamplerKind::independent;
+  return suited_sampler(scene);
 }
 
 void add_metadata(Image& image, const Arguments& a, const Scene& scene,
-                  const RenderOptions& options, const Rendering& rendering) {
+                  const RenderOptions& options, const Rendering& rendering, const Digest& digest) {
   auto& m = image.metadata;
-  m["malus:version"] = std::to_string(MALUS_VERSION_MAJOR) + "." +
-                       std::to_string(MALUS_VERSION_MINOR) + "." +
-                       std::to_string(MALUS_VERSION_PATCH);
+  m["malus:version"] = version();
+  m["malus:scene"] = digest.text();
+  m["malus:samples"] = std::to_string(options.seed) + ":" + std::to_string(options.first_sample) +
+                       "+" + std::to_string(rendering.samples_per_pixel);
   m["malus:stokes_frame"] = a.stokes_frame;
   m["malus:stokes_convention"] =
       a.stokes_frame == "horizontal"
@@ -159,6 +201,8 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene,
   m["malus:integrator"] = scene.integrator.name;
   m["malus:samples_per_pixel"] = std::to_string(rendering.samples_per_pixel);
   m["malus:seed"] = std::to_string(options.seed);
+  if (const auto& strategy = scene.integrator.strategy)
+    m["malus:strategy"] = std::to_string(strategy->s) + "," + std::to_string(strategy->t);
   m["malus:sampler"] = name_of(options.sampler);
 }
 
@@ -167,6 +211,13 @@ void check_outputs(const Arguments& a) {
   if (a.explain) return;
   if (a.output.empty()) throw InputError("-o: the name of an OpenEXR file to write is required");
   check_writable(a.output);
+  if (!a.checkpoint.empty()) {
+    const auto checkpoint = std::filesystem::weakly_canonical(a.checkpoint);
+    if (checkpoint == std::filesystem::weakly_canonical(a.output) ||
+        (!a.stats.empty() && checkpoint == std::filesystem::weakly_canonical(a.stats)))
+      throw InputError("--checkpoint " + a.checkpoint +
+                       ": the picture or --stats is to be written there");
+  }
   if (a.stats.empty()) return;
   check_writable(a.stats);
   if (std::filesystem::weakly_canonical(a.stats) == std::filesystem::weakly_canonical(a.output))
@@ -176,7 +227,16 @@ void check_outputs(const Arguments& a) {
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   const auto definitions = parse_definitions(a.definitions);
   check_outputs(a);
-  Scene scene = build_scene(*read_scene(a.scene, definitions));
+  Digest digest;
+  for (const auto& [name, value] : definitions) {
+    digest.add(name);
+    digest.add(value);
+  }
+  const auto outside = a.confined ? OutsideFiles::refuse : OutsideFiles::warn;
+  Scene scene = [&] {
+    const DigestOfReading reading(digest);
+    return build_scene(*read_scene(a.scene, definitions, outside));
+  }();
   if (!a.integrator.empty()) set_integrator(scene.integrator, a.integrator);
   if (!a.strategy.empty()) scene.integrator.strategy = Strategy{a.strategy[0], a.strategy[1]};
   check_requirements(scene, a.scene);
@@ -196,6 +256,12 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   options.seed = a.seed.value_or(scene.seed);
   options.sampler = resolve_sampler(a.sampler, scene);
   options.threads = a.threads;
+  options.first_sample = a.first_sample;
+  if (a.standard_error) options.batches = batches_for_errors;
+  std::optional<Checkpoint> checkpoint;
+  if (!a.checkpoint.empty())
+    options.checkpoint =
+        &checkpoint.emplace(a.checkpoint, a.checkpoint_every, identity_of(scene, options, digest));
 
   stop_requested = false;
   std::signal(SIGINT, request_stop);
@@ -206,8 +272,8 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   }();
 
   const StokesFrame frame = a.stokes_frame == "up" ? StokesFrame::up : StokesFrame::horizontal;
-  Image image = rendering.film.image(frame);
-  add_metadata(image, a, scene, options, rendering);
+  Image image = rendering.film.image(frame, a.standard_error);
+  add_metadata(image, a, scene, options, rendering, digest);
   write_exr(a.output, image);
   if (!a.stats.empty()) {
     const int threads = a.threads > 0 ? a.threads : tbb::info::default_concurrency();
@@ -220,11 +286,14 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
   if (rendering.counters.non_finite > 0)
     err << "warning: " << rendering.counters.non_finite << " of " << rendering.counters.samples
         << " samples were not finite and were dropped\n";
+  if (checkpoint && !checkpoint->failure().empty())
+    err << "warning: the checkpoint: " << checkpoint->failure() << '\n';
   if (rendering.interrupted) {
     err << "interrupted: wrote what there was, " << rendering.samples_per_pixel
         << " samples a pixel and a part of the next\n";
-    return 130;
+    return 128 + stop_signal;
   }
+  if (checkpoint) checkpoint->remove();
   out << a.output << ": " << image.width << " x " << image.height << ", "
       << rendering.samples_per_pixel << " samples a pixel, " << rendering.seconds << " s\n";
   return 0;

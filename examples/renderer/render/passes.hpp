@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "../scene/scene.hpp"
 #include "render_options.hpp"
@@ -20,6 +21,10 @@ class Passes {
                    const std::function<bool()>& stopped) = 0;
   /// After the first run() was stopped: adds what there is of it.
   virtual void salvage() = 0;
+  /// What of a run() that was stopped is on the film, by tasks; empty if nothing is.
+  virtual std::vector<std::uint8_t> finished() const = 0;
+  /// The next run(), of the same samples, is to leave these out. False if they are none of its.
+  virtual bool resume(std::vector<std::uint8_t> finished) = 0;
   /// Up to which sample the next run() is to go, if it may be `step` of them.
   virtual std::uint64_t next(std::uint64_t done, std::uint64_t step) const = 0;
   /// There is nothing to show before the end of the first pass.

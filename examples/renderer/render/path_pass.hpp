@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,6 @@ class PathPass {
         is_sobol_(options.sampler == SamplerKind::sobol),
         film_(film),
         tiles_(scene.film),
-        taken_(film.batches()),
         integrators_([&scene] { return PathIntegrator<R, M>(scene); }) {}
 
   /// Sample numbers [first, last) of every pixel. False if it was stopped before its end; what is
@@ -35,21 +35,31 @@ class PathPass {
   template <class Stopped>
   bool run(std::uint64_t first, std::uint64_t last, Stopped&& stopped) {
     std::atomic<bool> complete{true};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count() * film_.batches(), 1),
+    finished_.resize(tiles_.count() * film_.batches());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, finished_.size(), 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         for (std::size_t task = range.begin(); task != range.end(); ++task) {
+                          if (finished_[task] != 0) continue;
                           if (stopped()) {
                             complete = false;
                             return;
                           }
                           render_task(task, first, last);
+                          finished_[task] = 1;
                         }
                       });
-    for (std::size_t batch = 0; batch < taken_.size(); ++batch) {
-      const auto [begin, end] = samples(batch, first, last);
-      taken_[batch] += end - begin;
-    }
+    if (complete) finished_.clear();
     return complete;
+  }
+
+  /// Which tasks of a run() that was stopped are on the film; empty after one that was not.
+  const std::vector<std::uint8_t>& finished() const { return finished_; }
+  /// The next run() is to go on where that one was stopped. False if no run() of this picture had
+  /// these tasks.
+  bool resume(std::vector<std::uint8_t> finished) {
+    if (!finished.empty() && finished.size() != tiles_.count() * film_.batches()) return false;
+    finished_ = std::move(finished);
+    return true;
   }
 
   /// What is done is on the film already.
@@ -66,37 +76,29 @@ class PathPass {
   LightVertexMemory light_vertices() const { return {}; }
 
  private:
-  /// One batch's share of samples [first, last).
-  std::pair<std::uint64_t, std::uint64_t> samples(std::size_t batch, std::uint64_t first,
-                                                  std::uint64_t last) const {
-    const std::uint64_t count = last - first, batches = film_.batches();
-    return {first + count * batch / batches, first + count * (batch + 1) / batches};
-  }
-
   /// A batch has a sequence of its own, without gaps, so that batches are independent.
-  Sampler sampler(std::size_t pixel, std::size_t batch, std::uint64_t sample,
-                  std::uint64_t index) const {
-    return is_sobol_ ? Sampler::sobol(seed_, pixel * film_.batches() + batch, index)
+  Sampler sampler(std::size_t pixel, std::size_t batch, std::uint64_t sample) const {
+    const std::uint64_t batches = film_.batches();
+    return is_sobol_ ? Sampler::sobol(seed_, pixel * batches + batch, sample / batches)
                      : Sampler(seed_, pixel, sample);
   }
 
-  /// One batch's samples of one tile.
+  /// One batch's samples of one tile: of every so many numbers one, whatever runs there are.
   void render_task(std::size_t task, std::uint64_t first, std::uint64_t last) {
     const std::size_t batches = film_.batches(), batch = task % batches;
-    const auto [begin, end] = samples(batch, first, last);
+    const std::uint64_t begin = first + (batch + batches - first % batches) % batches;
     auto& integrator = integrators_.local();
-    tiles_.each_pixel(
-        task / batches, [&, begin = begin, end = end](int x, int y, std::size_t pixel) {
-          for (std::uint64_t i = begin; i < end; ++i) {
-            Sampler random = sampler(pixel, batch, i, taken_[batch] + (i - begin));
-            const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, random.next_2d());
-            const auto reading = integrator.measure(ray, random);
-            if (is_finite(reading))
-              film_.at(pixel, batch).add(reading);
-            else
-              integrator.drop();
-          }
-        });
+    tiles_.each_pixel(task / batches, [&](int x, int y, std::size_t pixel) {
+      for (std::uint64_t i = begin; i < last; i += batches) {
+        Sampler random = sampler(pixel, batch, i);
+        const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, random.next_2d());
+        const auto reading = integrator.measure(ray, random);
+        if (is_finite(reading))
+          film_.at(pixel, batch).add(reading);
+        else
+          integrator.drop();
+      }
+    });
   }
 
   const Scene& scene_;
@@ -104,7 +106,7 @@ class PathPass {
   bool is_sobol_;
   Film& film_;
   Tiles tiles_;
-  std::vector<std::uint64_t> taken_;  // samples of every pixel, by batch
+  std::vector<std::uint8_t> finished_;  // tasks of a run that was stopped, not bits: threads write
   tbb::enumerable_thread_specific<PathIntegrator<R, M>> integrators_;
 };
 

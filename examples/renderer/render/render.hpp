@@ -11,6 +11,9 @@
 
 namespace renderer {
 
+/// The sampler that was found to help the scene's algorithm.
+SamplerKind suited_sampler(const Scene& scene);
+
 /// `report` is called between passes, from the calling thread.
 Rendering render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                  const std::function<void(const Progress&)>& report);

@@ -12,6 +12,8 @@ namespace renderer {
 
 enum class Mode { unpolarized, optimized };
 
+class Checkpoint;
+
 struct RenderOptions {
   Mode mode = Mode::optimized;
   std::uint64_t samples_per_pixel = 4;  ///< with a time limit, without end
@@ -19,6 +21,8 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::independent;  ///< the command line chooses by the scene
   int threads = 0;                                 ///< 0: all there are
+  std::uint64_t first_sample = 0;                  ///< the number of the first of them
+  Checkpoint* checkpoint = nullptr;                ///< to go on from and to keep, if any
   std::size_t batches = 0;  ///< independent estimates of every pixel; 0: as many as threads need
 };
 
@@ -38,9 +42,10 @@ struct LightVertexMemory {
 
 struct Rendering {
   Film film;
-  Counters counters;
+  Counters counters{};
   double seconds = 0;
   std::uint64_t samples_per_pixel = 0;  ///< of whole passes
+  std::uint64_t resumed_from = 0;       ///< how many of them a checkpoint had
   bool interrupted = false;
   LightVertexMemory light_vertices{};
 };

@@ -3,6 +3,8 @@
 // media or without. One translation unit compiles it for each of the two.
 #pragma once
 
+#include <utility>
+
 #include "bidirectional_pass.hpp"
 #include "passes.hpp"
 #include "path_pass.hpp"
@@ -18,6 +20,10 @@ class PassesOf final : public Passes {
     return pass_.run(first, last, stopped);
   }
   void salvage() override { pass_.salvage(); }
+  std::vector<std::uint8_t> finished() const override { return pass_.finished(); }
+  bool resume(std::vector<std::uint8_t> finished) override {
+    return pass_.resume(std::move(finished));
+  }
   std::uint64_t next(std::uint64_t done, std::uint64_t step) const override {
     return pass_.next(done, step);
   }

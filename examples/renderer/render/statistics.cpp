@@ -46,6 +46,7 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   json["sampler"] = name_of(options.sampler);
   json["threads"] = threads;
   json["iterations"] = rendering.samples_per_pixel;
+  json["resumed_from"] = rendering.resumed_from;
   json["interrupted"] = rendering.interrupted;
   json["seconds"] = seconds;
   json["samples"] = c.samples;

@@ -119,6 +119,7 @@ Scene build_scene(const Object& root) {
   if (integrators.size() > 1) integrators[1]->fail("a second <integrator>; a scene has one");
   if (!integrators.empty()) build_integrator(*integrators[0], scene);
 
+  for (auto& warning : root.file_warnings()) scene.warnings.push_back(std::move(warning));
   media.check_unused(root);
   root.reject_unknown();
   find_glows(scene);

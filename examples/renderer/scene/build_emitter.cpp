@@ -78,7 +78,14 @@ AreaLight make_area_light(const Object& o, const Geometry& geometry, std::uint32
   if (o.type() != "area") o.fail("a shape's emitter is of type \"area\", not \"" + o.type() + "\"");
   const Rgb radiance = emission(o, "radiance");
   o.reject_unknown();
-  return AreaLight(geometry, shape, radiance);
+  AreaLight light(geometry, shape, radiance);
+  // What is sampled by area has its inverse for a density.
+  constexpr double smallest = 1e-30, largest = 1e30;
+  const auto area = static_cast<double>(light.area());
+  if (!(area >= smallest && area <= largest))
+    o.fail("the shape has an area of " + shown(area) + "; allowed for a light: " + shown(smallest) +
+           " to " + shown(largest));
+  return light;
 }
 
 Emitter make_light(const Object& o) {

@@ -31,6 +31,7 @@ ReconstructionFilter make_filter(const Object::Pointer& o) {
 FilmSettings make_film(const Object& o, std::vector<std::string>& warnings) {
   if (o.type() != "hdrfilm") fail_unknown_plugin(o, {"hdrfilm"});
   FilmSettings film;
+  film.where = o.location();
   film.width = static_cast<int>(o.integer_in("width", 768, 1, largest_film));
   film.height = static_cast<int>(o.integer_in("height", 576, 1, largest_film));
   film.crop_x = static_cast<int>(o.integer_in("crop_offset_x", 0, 0, film.width - 1));

@@ -4,6 +4,7 @@
 #include "../core/affine.hpp"
 #include "build.hpp"
 #include "mesh_reader.hpp"
+#include "text.hpp"
 
 namespace renderer {
 
@@ -85,11 +86,44 @@ Sphere make_sphere(const Object& o) {
   return sphere;
 }
 
+/// Squares of lengths and areas are single-precision numbers.
+constexpr double largest_coordinate = 1e18, smallest_radius = 1e-18;
+
+void check_extent(const Object& o, const Sphere& sphere) {
+  const double reach = glm::length(glm::dvec3(sphere.center)) + static_cast<double>(sphere.radius);
+  if (static_cast<double>(sphere.radius) < smallest_radius || !(reach <= largest_coordinate))
+    o.fail("its radius is " + shown(static_cast<double>(sphere.radius)) + " and it reaches to " +
+           shown(reach) + " from the origin; allowed: a radius of " + shown(smallest_radius) +
+           " or more, up to " + shown(largest_coordinate) + " from the origin");
+}
+
+void check_extent(const Object& o, const TriangleMesh& mesh, std::vector<std::string>& warnings) {
+  for (const auto& p : mesh.positions)
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(static_cast<double>(p[i])) <= largest_coordinate))
+        o.fail("it reaches to " + shown(static_cast<double>(p[i])) +
+               "; allowed: coordinates up to " + shown(largest_coordinate));
+  const auto empty =
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+        const auto& p = mesh.positions;
+        return !(glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) > 0);
+      });
+  if (empty > 0)
+    warnings.push_back(o.location().file + ":" + std::to_string(o.location().line) + ": " +
+                       o.description() + ": " + std::to_string(empty) + " of its " +
+                       std::to_string(mesh.triangles.size()) +
+                       " triangles are too small to have an area, or too thin");
+}
+
 }  // namespace
 
 std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
                                  std::vector<std::string>& warnings) {
-  if (o.type() == "sphere") return geometry.add(make_sphere(o));
+  if (o.type() == "sphere") {
+    const Sphere sphere = make_sphere(o);
+    check_extent(o, sphere);
+    return geometry.add(sphere);
+  }
 
   TriangleMesh mesh;
   const bool from_file = o.type() == "obj" || o.type() == "ply";
@@ -105,6 +139,7 @@ std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
   const bool face_normals = from_file && o.boolean("face_normals", false);
   if (face_normals) mesh.normals.clear();
   apply_transform(mesh, o.transform("to_world"), !from_file);
+  check_extent(o, mesh, warnings);
   if (from_file && !face_normals && mesh.normals.empty()) mesh.normals = vertex_normals(mesh);
   if (o.boolean("flip_normals", false)) turn_inside_out(mesh);
   return geometry.add(std::move(mesh));

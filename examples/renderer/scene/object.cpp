@@ -222,14 +222,9 @@ std::string Object::one_of(std::string_view name, std::string_view otherwise,
 std::filesystem::path Object::file(std::string_view name) const {
   const std::string text = string(name);
   if (text.empty()) fail(name, "the parameter " + in_quotes(name) + " is an empty file name");
-  const std::filesystem::path path = text;
   const Property& property = *find(name);
-  if (path.is_absolute() || !property.search) return path;
-  for (const std::filesystem::path& folder : *property.search) {
-    std::error_code ignored;
-    if (std::filesystem::exists(folder / path, ignored)) return folder / path;
-  }
-  return std::filesystem::path(property.where.file).parent_path() / path;
+  if (!property.search) return text;
+  return property.search->find_to_read(text, property.where);
 }
 
 glm::dvec3 Object::triple_of(const Property& property, std::string_view allowed) const {

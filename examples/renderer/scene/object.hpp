@@ -23,11 +23,9 @@
 #include <vector>
 
 #include "../io/input_error.hpp"
+#include "search_path.hpp"
 
 namespace renderer {
-
-/// Folders in which a scene's file names are looked up, first to last.
-using SearchPath = std::vector<std::filesystem::path>;
 
 enum class ValueKind { boolean, integer, number, string, rgb, spectrum, point, vector, transform };
 
@@ -129,6 +127,11 @@ class Object {
   void add(Child child);
   void set_child(std::size_t index, Pointer object) { children_[index].object = std::move(object); }
   const std::vector<Child>& nested() const { return children_; }
+  void set_premises(std::shared_ptr<const Premises> premises) { premises_ = std::move(premises); }
+  /// Of the files that the tree and its readers have asked for so far; of the root alone.
+  std::vector<std::string> file_warnings() const {
+    return premises_ ? premises_->warnings() : std::vector<std::string>();
+  }
 
  private:
   const Property* find(std::string_view name) const;
@@ -152,6 +155,7 @@ class Object {
   std::vector<Property> properties_;
   std::vector<Child> children_;
   std::map<std::string, Location, std::less<>> names_;
+  std::shared_ptr<const Premises> premises_;
   mutable std::vector<std::string> asked_;           // names
   mutable std::vector<std::string> asked_elements_;  // elements whose every child was asked for
   mutable std::vector<std::string> allowed_;         // both, as shown

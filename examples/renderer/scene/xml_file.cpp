@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "../io/digest.hpp"
 #include "text.hpp"
 
 namespace renderer {
@@ -58,6 +59,7 @@ std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest
   if (!in || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
     fail("cannot be read; is reading permitted?");
   }
+  DigestOfReading::note(bytes);
   return bytes;
 }
 

@@ -17,6 +17,8 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 constexpr std::size_t deepest_include = 15;  // Mitsuba's limit
+/// A file that includes another ten times, which includes ... makes as many as a bomb wants.
+constexpr std::size_t most_includes = 10000;
 
 const std::vector<std::string>& object_tags() {
   static const std::vector<std::string> tags = {"bsdf",   "emitter", "film",    "integrator",
@@ -43,16 +45,17 @@ struct OpenFile {
 
 class Reader {
  public:
-  explicit Reader(const std::map<std::string, std::string>& definitions)
-      : parameters_(definitions) {}
+  Reader(const std::map<std::string, std::string>& definitions, std::shared_ptr<Premises> premises)
+      : parameters_(definitions), premises_(std::move(premises)) {}
 
   std::shared_ptr<const Object> read(const std::filesystem::path& path) {
-    const OpenFile file = open(path, {}, {});
+    const OpenFile file = open(path, SearchPath(premises_), {});
     const Element element = element_of(file, file.xml.root());
     if (element.tag != "scene") {
       element.fail("not the root of a scene; allowed: <scene version=\"3.0.0\">");
     }
     const auto scene = make_root(element);
+    scene->set_premises(premises_);
     references_.declare(scene);
     read_children(file, file.xml.root(), *scene, 1);
     parameters_.reject_unused(file.xml.name());
@@ -64,7 +67,7 @@ class Reader {
   OpenFile open(const std::filesystem::path& path, const SearchPath& outer,
                 const Location& asker) const {
     auto search = std::make_shared<SearchPath>(outer);
-    search->insert(search->begin(), path.parent_path());
+    search->put_first(path.parent_path());
     std::error_code ignored;
     return {XmlFile(path, asker), std::filesystem::weakly_canonical(path, ignored), search};
   }
@@ -224,21 +227,16 @@ class Reader {
 
   void add_path(const OpenFile& file, const pugi::xml_node& node, const Element& element) {
     if (node.parent() != file.xml.root()) element.fail("inside of an object; allowed: in <scene>");
-    const std::filesystem::path folder = resolve(file, element.text("value"));
+    const std::filesystem::path folder = file.search->find(element.text("value"), own_folder(file));
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored)) {
       element.fail("no such folder: " + in_quotes(folder.string()));
     }
-    file.search->insert(file.search->begin(), folder);
+    file.search->put_first(folder);
   }
 
-  static std::filesystem::path resolve(const OpenFile& file, const std::filesystem::path& path) {
-    if (path.is_absolute()) return path;
-    for (const std::filesystem::path& folder : *file.search) {
-      std::error_code ignored;
-      if (std::filesystem::exists(folder / path, ignored)) return folder / path;
-    }
-    return std::filesystem::path(file.xml.name()).parent_path() / path;
+  static std::filesystem::path own_folder(const OpenFile& file) {
+    return std::filesystem::path(file.xml.name()).parent_path();
   }
 
   void include(const OpenFile& outer, const Element& element, Object& parent, int depth) {
@@ -247,8 +245,11 @@ class Reader {
       element.fail("more than " + std::to_string(deepest_include) +
                    " files deep; allowed: " + std::to_string(deepest_include));
     }
-    const OpenFile file =
-        open(resolve(outer, element.text("filename")), *outer.search, element.where);
+    if (++includes_ > most_includes) {
+      element.fail("more than " + std::to_string(most_includes) + " files are included in all");
+    }
+    const auto path = outer.search->find_to_read(element.text("filename"), element.where);
+    const OpenFile file = open(path, *outer.search, element.where);
     including_.push_back(outer.canonical);
     if (std::find(including_.begin(), including_.end(), file.canonical) != including_.end()) {
       element.fail("the file " + in_quotes(file.xml.name()) + " includes itself");
@@ -277,14 +278,17 @@ class Reader {
 
   Parameters parameters_;
   References references_;
+  std::shared_ptr<Premises> premises_;
   std::vector<std::filesystem::path> including_;
+  std::size_t includes_ = 0;
 };
 
 }  // namespace
 
 std::shared_ptr<const Object> read_scene(const std::filesystem::path& path,
-                                         const std::map<std::string, std::string>& definitions) {
-  return Reader(definitions).read(path);
+                                         const std::map<std::string, std::string>& definitions,
+                                         OutsideFiles outside) {
+  return Reader(definitions, std::make_shared<Premises>(path, outside)).read(path);
 }
 
 }  // namespace renderer

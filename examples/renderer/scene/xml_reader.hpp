@@ -13,8 +13,10 @@
 
 namespace renderer {
 
-/// `definitions` are the command line's -D name=value; each must be used by the scene.
+/// `definitions` are the command line's -D name=value; each must be used by the scene. `outside` is
+/// what becomes of files that lie outside of the scene's folder.
 std::shared_ptr<const Object> read_scene(const std::filesystem::path& path,
-                                         const std::map<std::string, std::string>& definitions);
+                                         const std::map<std::string, std::string>& definitions,
+                                         OutsideFiles outside = OutsideFiles::warn);
 
 }  // namespace renderer

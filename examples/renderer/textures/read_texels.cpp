@@ -119,9 +119,12 @@ class TexelReader {
 
   /// As of OpenEXR files, a large claim must be borne out by the file.
   void check_size(const Texels& texels, std::size_t file_size) const {
-    constexpr std::uint64_t believed = std::uint64_t{1} << 24, pixels_per_byte = 1024;
+    constexpr std::uint64_t believed = std::uint64_t{1} << 20, pixels_per_byte = 8256;
     const auto pixels =
         static_cast<std::uint64_t>(texels.width) * static_cast<std::uint64_t>(texels.height);
+    if (texels.width < 1 || texels.height < 1)
+      fail("it is " + std::to_string(texels.width) + " x " + std::to_string(texels.height) +
+           " pixels; allowed: 1 or more each way");
     if (pixels > believed && pixels > pixels_per_byte * file_size)
       fail("damaged: it claims " + std::to_string(texels.width) + " x " +
            std::to_string(texels.height) + " pixels, but has only " + std::to_string(file_size) +
@@ -133,6 +136,8 @@ class TexelReader {
     const int size = static_cast<int>(bytes.size());
     Texels texels;
     int channels = 0;
+    // stb passes over any number of bytes ff before a JPEG's first marker.
+    if (bytes.starts_with("\xff\xff")) fail("damaged: a JPEG begins with the bytes ff d8");
     if (bytes.starts_with("\xff\xd8") && !has_sound_huffman_tables(bytes))
       fail("damaged: a JPEG's Huffman table has more than 256 codes");
     if (!stbi_info_from_memory(data, size, &texels.width, &texels.height, &channels)) fail_in_stb();

@@ -18,6 +18,7 @@
 
 #include <malus/analysis/physicality.hpp>
 #include <malus/detail/hermitian.hpp>
+#include <malus/detail/length.hpp>
 #include <malus/detail/singular_values.hpp>
 #include <malus/mueller.hpp>
 
@@ -98,8 +99,8 @@ PolarFactors<T> polar_factors(const glm::mat<4, 4, T>& m) {
             diattenuator};
   }
   const glm::mat<4, 4, T> inverse =
-      bordered(1 / root2, -d / root2, -d / root2, (root * identity + k * dd) / root2) / m00;
-  const glm::mat<4, 4, T> rest = m * inverse;
+      bordered(1 / root2, -d / root2, -d / root2, (root * identity + k * dd) / root2);
+  const glm::mat<4, 4, T> rest = (m / m00) * inverse;
   Matrix symmetric, rotation;
   symmetric_times_rotation(
       Matrix(Vector(rest[1][1], rest[1][2], rest[1][3]), Vector(rest[2][1], rest[2][2], rest[2][3]),
@@ -201,7 +202,7 @@ auto cloude_decomposition(const M& m) {
 template <MuellerType M>
 auto diattenuation(const M& m) {
   return map_channels([](auto m00, auto a, auto b,
-                         auto c) { return detail::part_of(std::sqrt(a * a + b * b + c * c), m00); },
+                         auto c) { return detail::part_of(detail::length_of(a, b, c), m00); },
                       m(0, 0), m(0, 1), m(0, 2), m(0, 3));
 }
 
@@ -209,7 +210,7 @@ auto diattenuation(const M& m) {
 template <MuellerType M>
 auto polarizance(const M& m) {
   return map_channels([](auto m00, auto a, auto b,
-                         auto c) { return detail::part_of(std::sqrt(a * a + b * b + c * c), m00); },
+                         auto c) { return detail::part_of(detail::length_of(a, b, c), m00); },
                       m(0, 0), m(1, 0), m(2, 0), m(3, 0));
 }
 
@@ -218,10 +219,12 @@ template <MuellerType M>
 auto depolarization_index(const M& m) {
   using V = typename M::value_type;
   V sum(0);
-  for (int i = 1; i < 16; ++i) sum += m(i / 4, i % 4) * m(i / 4, i % 4);
-  return map_channels(
-      [](auto m00, auto squares) { return detail::part_of(std::sqrt(squares / 3), m00); }, m(0, 0),
-      sum);
+  const auto ratio = [](auto x, auto m00) { return detail::part_of(x, m00); };
+  for (int i = 1; i < 16; ++i) {
+    const V part = map_channels(ratio, m(i / 4, i % 4), m(0, 0));
+    sum += part * part;
+  }
+  return map_channels([](auto squares) { return std::sqrt(squares / 3); }, sum);
 }
 
 /// 1 − |tr mΔ|/3 of the depolarizer of a polar decomposition: 0 of none, 1 of an ideal one.

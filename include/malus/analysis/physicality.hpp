@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include <malus/detail/hermitian.hpp>
+#include <malus/detail/length.hpp>
 #include <malus/mueller.hpp>
 
 namespace malus {
@@ -52,12 +53,14 @@ ComplexMatrix<T, 4> coherency_matrix(const M& m, std::size_t channel_index) {
 }  // namespace detail
 
 /// True where every channel is light that can exist: S0 ≥ 0 and a degree of polarisation of at most
-/// 1 + tolerance.
+/// 1 + tolerance. NaN and infinity are not, compiled with -ffast-math too.
 template <StokesType S>
 bool is_physical(const S& s, typename S::scalar_type tolerance) {
   for (std::size_t i = 0; i < channel_count<typename S::value_type>; ++i) {
     const auto v = s.to_vec4(i);
-    const auto polarized = std::sqrt(v.y * v.y + v.z * v.z + v.w * v.w);
+    for (int k = 0; k < 4; ++k)
+      if (!is_finite(v[k])) return false;
+    const auto polarized = detail::length_of(v.y, v.z, v.w);
     if (!(v.x >= 0) || !(polarized <= v.x * (1 + tolerance))) return false;
   }
   return true;
@@ -77,6 +80,8 @@ template <MuellerType M>
 bool is_physical(const M& m, typename M::scalar_type tolerance) {
   for (std::size_t i = 0; i < channel_count<typename M::value_type>; ++i) {
     const auto m00 = channel(m.m00(), i);
+    for (int k = 0; k < 16; ++k)
+      if (!is_finite(channel(m(k / 4, k % 4), i))) return false;
     if (!(m00 >= 0) || !(coherency_eigenvalues(m, i)[3] >= -tolerance * m00)) return false;
   }
   return true;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <malus/detail/length.hpp>
 #include <malus/stokes.hpp>
 
 namespace malus {
@@ -27,7 +28,7 @@ template <StokesType S>
 auto degree_of_polarization(const S& s) {
   return map_channels(
       [](auto s0, auto s1, auto s2, auto s3) {
-        return detail::fraction_of(std::sqrt(s1 * s1 + s2 * s2 + s3 * s3), s0);
+        return detail::fraction_of(detail::length_of(s1, s2, s3), s0);
       },
       s[0], s[1], s[2], s[3]);
 }
@@ -35,9 +36,9 @@ auto degree_of_polarization(const S& s) {
 /// DoLP = √(S1² + S2²)/S0.
 template <StokesType S>
 auto degree_of_linear_polarization(const S& s) {
-  return map_channels([](auto s0, auto s1,
-                         auto s2) { return detail::fraction_of(std::sqrt(s1 * s1 + s2 * s2), s0); },
-                      s[0], s[1], s[2]);
+  return map_channels(
+      [](auto s0, auto s1, auto s2) { return detail::fraction_of(detail::length_of(s1, s2), s0); },
+      s[0], s[1], s[2]);
 }
 
 /// DoCP = S3/S0: 1 right circular, −1 left circular.
@@ -68,7 +69,7 @@ auto ellipticity(const S& s) {
   return map_channels(
       [](auto s1, auto s2, auto s3) {
         using T = decltype(s1);
-        return T(0.5) * std::atan2(s3, std::sqrt(s1 * s1 + s2 * s2));
+        return T(0.5) * std::atan2(s3, detail::length_of(s1, s2));
       },
       s[1], s[2], s[3]);
 }

@@ -3,6 +3,7 @@
 // Loan, Matrix Computations, section 8.5), which stay accurate where eigenvalues coincide.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -14,6 +15,17 @@ namespace malus::detail {
 
 template <class T, std::size_t N>
 using ComplexMatrix = std::array<std::array<std::complex<T>, N>, N>;
+
+/// A power of two that brings a matrix's components to the order of 1, as far as one can; products
+/// with it are exact. Without it the squares of large and of small matrices are no numbers.
+template <class T, std::size_t N>
+T scale_of(const ComplexMatrix<T, N>& a) {
+  T largest = 0;
+  for (const auto& row : a)
+    for (const auto& x : row) largest = std::max({largest, std::abs(x.real()), std::abs(x.imag())});
+  constexpr int most = std::numeric_limits<T>::max_exponent - 2;
+  return largest > 0 ? std::ldexp(T(1), std::clamp(-std::ilogb(largest), -most, most)) : T(1);
+}
 
 /// Eigenvalues, largest first; vectors[k] is the unit eigenvector of values[k].
 template <class T, std::size_t N>
@@ -46,6 +58,9 @@ template <class T, std::size_t N>
 HermitianEigen<T, N> hermitian_eigen(ComplexMatrix<T, N> a) {
   ComplexMatrix<T, N> v{};
   for (std::size_t i = 0; i < N; ++i) v[i][i] = 1;
+  const T scale = scale_of(a);
+  for (auto& row : a)
+    for (auto& x : row) x *= scale;
   constexpr int sweeps = 30;
   constexpr T epsilon = std::numeric_limits<T>::epsilon();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -60,7 +75,7 @@ HermitianEigen<T, N> hermitian_eigen(ComplexMatrix<T, N> a) {
   }
   HermitianEigen<T, N> result;
   for (std::size_t k = 0; k < N; ++k) {
-    result.values[k] = a[k][k].real();
+    result.values[k] = a[k][k].real() / scale;
     for (std::size_t i = 0; i < N; ++i) result.vectors[k][i] = v[i][k];
     for (std::size_t j = k; j > 0 && result.values[j] > result.values[j - 1]; --j) {
       std::swap(result.values[j], result.values[j - 1]);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include <malus/detail/length.hpp>
 #include <malus/optics/turned.hpp>
 #include <malus/product.hpp>
 
@@ -18,7 +19,8 @@ BlockMueller<V, incident, exitant, F> linear_diattenuator(const V& along_x, cons
                                                           const F& frame) {
   const V half = V(scalar_t<V>(0.5));
   const V sum = half * (along_x + along_y), difference = half * (along_x - along_y);
-  const V mean = map_channels([](auto x, auto y) { return std::sqrt(x * y); }, along_x, along_y);
+  const V mean =
+      map_channels([](auto x, auto y) { return detail::geometric_mean(x, y); }, along_x, along_y);
   const V none = V(0);
   return BlockMueller<V, incident, exitant, F>::block({sum, difference, difference, sum},
                                                       {mean, none, none, mean}, frame, frame);

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <malus/detail/length.hpp>
 #include <malus/frame.hpp>
 #include <malus/mueller.hpp>
 #include <malus/optics/differential.hpp>
@@ -106,9 +107,8 @@ struct UniaxialExtinction {
   V least_absorption() const {
     return map_channels(
         [](scalar_type linear, scalar_type circular) {
-          const scalar_type across = linear < 0
-                                         ? std::sqrt(linear * linear + circular * circular) - linear
-                                         : std::abs(circular);
+          const scalar_type across =
+              linear < 0 ? detail::length_of(linear, circular) - linear : std::abs(circular);
           return across / 2;
         },
         linear_dichroism, circular_dichroism);

@@ -35,10 +35,12 @@ struct FresnelTerms {
 
 namespace detail {
 
-/// η² − sin² θi = q², written so that nothing cancels at grazing incidence or where η is near 1:
-/// with η = 1, q is cos θi itself and nothing is reflected.
+/// η² − sin² θi = q². Near η = 1 written so that nothing cancels at grazing incidence, and with
+/// η = 1, q is cos θi itself and nothing is reflected; for a small η so that it is not lost
+/// beside 1.
 template <std::floating_point T>
 constexpr T squared_root_term(T cos_i, T eta) {
+  if (eta < T(0.5)) return eta * eta - (1 - cos_i) * (1 + cos_i);
   return (eta - 1) * (eta + 1) + cos_i * cos_i;
 }
 
@@ -108,9 +110,11 @@ constexpr FresnelTerms<V> fresnel_conductor(scalar_t<V> cos_i, const V& eta, con
 template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_transmission(T cos_i, T eta) {
   const T q2 = detail::squared_root_term(cos_i, eta);
-  if (!(q2 > 0) || !(cos_i > 0)) {
-    const T all = eta == 1 ? T(1) : T(0);
-    return {all, all, all, 0};
+  constexpr T tiny = T(1e-15);
+  if (!(q2 > 0) || !(cos_i > tiny)) {
+    // Here q = cos θi, of which the square may be too small for a number.
+    if (eta == 1) return {1, 1, 1, 0};
+    if (!(q2 > 0) || !(cos_i > 0)) return {0, 0, 0, 0};
   }
   const T q = std::sqrt(q2);
   const T s = 1 / (cos_i + q), p = eta / (eta * eta * cos_i + q);

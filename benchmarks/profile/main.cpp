@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The limits of a renderer on this machine, beside what it takes: Embree's rays alone, and memory
+// for the photon map. Where a path's time goes is told by profile.py.
+//
+//   benchmark_profile --json limits.json
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "../program.hpp"
+#include "io/atomic_file.hpp"
+#include "photons.hpp"
+#include "rays.hpp"
+#include "scene/build.hpp"
+#include "scene/requirements.hpp"
+#include "scene/xml_reader.hpp"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::vector<std::string> scenes{"vcm_box", "diffuse", "glossy", "glass", "bathroom"};
+  std::vector<std::string> algorithms{"path", "bdpt", "vcm"};
+  std::string folder = MALUS_SCENES_DIR, json;
+  double seconds = 2;
+  int resolution = 128, photon_resolution = 512;
+};
+
+renderer::Scene load(const Arguments& a, const std::string& name, const std::string& algorithm,
+                     int resolution) {
+  const auto file = std::filesystem::path(a.folder) / (name + ".xml");
+  const std::string size = std::to_string(resolution);
+  std::map<std::string, std::string> definitions{{"resolution", size}};
+  if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
+  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
+  renderer::set_integrator(scene.integrator, algorithm);
+  renderer::check_requirements(scene, file.string());
+  return scene;
+}
+
+constexpr renderer::Mode modes[] = {renderer::Mode::unpolarized, renderer::Mode::optimized};
+
+Json measure_rays(const Arguments& a) {
+  std::printf(
+      "## Rays\n\n| scene | algorithm | mode | ns a path | rays a path | shadow rays a path | ns a "
+      "ray alone | ns a shadow ray alone | rays alone, of the time (95 %%) | ns of the rest |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|---|--:|\n");
+  Json list = Json::array();
+  for (const auto& name : a.scenes)
+    for (const auto& algorithm : a.algorithms) {
+      const renderer::Scene scene = load(a, name, algorithm, a.resolution);
+      for (const auto mode : modes) {
+        const auto t = profile::time_rays(scene, mode, a.seconds);
+        std::printf(
+            "| %s | %s | %s | %.0f | %.2f | %.2f | %.1f | %.1f | %.3f (%.3f to %.3f) | %.0f |\n",
+            name.c_str(), algorithm.c_str(), t.mode.c_str(), t.path, t.nearest_per_path,
+            t.shadow_per_path, t.nearest, t.shadow, t.share.value, t.share.low, t.share.high,
+            t.path * (1 - t.share.value));
+        std::fflush(stdout);
+        list.push_back({{"scene", name},
+                        {"algorithm", algorithm},
+                        {"mode", t.mode},
+                        {"nanoseconds_per_path", t.path},
+                        {"rays_per_path", t.nearest_per_path},
+                        {"shadow_rays_per_path", t.shadow_per_path},
+                        {"nanoseconds_per_ray_alone", t.nearest},
+                        {"nanoseconds_per_shadow_ray_alone", t.shadow},
+                        {"share", t.share.value},
+                        {"share_low", t.share.low},
+                        {"share_high", t.share.high}});
+      }
+    }
+  return list;
+}
+
+Json measure_photons(const Arguments& a) {
+  std::printf(
+      "\n## The photon map\n\n| scene | mode | photons | bytes a photon | MB | ns to build, a "
+      "photon "
+      "| ns a query | photons found | their GB/s | GB/s, in order | ns of a line at random |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  Json list = Json::array();
+  for (const auto& name : a.scenes) {
+    const renderer::Scene scene = load(a, name, "vcm", a.photon_resolution);
+    if (scene.has_media()) continue;
+    for (const bool polarized : {false, true}) {
+      const auto t = profile::time_photons(scene, polarized, a.seconds / 4);
+      std::printf("| %s | %s | %zu | %zu | %.1f | %.1f | %.1f | %.2f | %.2f | %.1f | %.1f |\n",
+                  name.c_str(), t.mode.c_str(), t.photons, t.bytes_per_photon,
+                  static_cast<double>(t.bytes) * 1e-6, t.build, t.query, t.found_per_query,
+                  t.found_bandwidth, t.stream_bandwidth, t.random_line);
+      std::fflush(stdout);
+      list.push_back({{"scene", name},
+                      {"mode", t.mode},
+                      {"photons", t.photons},
+                      {"bytes_per_photon", t.bytes_per_photon},
+                      {"bytes", t.bytes},
+                      {"nanoseconds_to_build_a_photon", t.build},
+                      {"nanoseconds_per_query", t.query},
+                      {"found_per_query", t.found_per_query},
+                      {"found_gigabytes_per_second", t.found_bandwidth},
+                      {"stream_gigabytes_per_second", t.stream_bandwidth},
+                      {"nanoseconds_per_random_line", t.random_line}});
+    }
+  }
+  return list;
+}
+
+int run(const Arguments& a) {
+  benchmarks::reject_nan("--seconds", a.seconds);
+  if (!a.json.empty()) renderer::check_writable(a.json);
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 1);
+  tbb::task_arena arena(1);
+  return arena.execute([&] {
+    Json json;
+    json["rays"] = measure_rays(a);
+    json["photon_map"] = measure_photons(a);
+    if (!a.json.empty()) renderer::write_file(a.json, json.dump(2) + "\n");
+    return 0;
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments a;
+  CLI::App app("What a path takes beside Embree's rays alone and memory's limits",
+               "benchmark_profile");
+  app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
+  app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
+  app.add_option("--algorithm", a.algorithms, "Integrators")->capture_default_str();
+  app.add_option("--seconds", a.seconds, "For each row")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+  app.add_option("--resolution", a.resolution, "Of pictures whose rays are traced again")
+      ->check(CLI::Range(2, 1024))
+      ->capture_default_str();
+  app.add_option("--photon-resolution", a.photon_resolution, "Of pictures whose photons are found")
+      ->check(CLI::Range(2, 4096))
+      ->capture_default_str();
+  app.add_option("--json", a.json, "File of the same rows");
+  return benchmarks::run_program(app, argc, argv, [&] { return run(a); });
+}

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the tables of docs/performance.md anew, between the comments that name them, from what benchmarks/run_all.sh has measured.
+
+    docs/make_tables.py OUT
+
+OUT is run_all.sh's folder. What was not measured is left as it is, with a line that says so.
+"""
+import json
+import pathlib
+import re
+import sys
+
+PAGE = pathlib.Path(__file__).resolve().parent / "performance.md"
+
+
+def table(head, rows):
+    """Of texts; all columns but those of names are numbers."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("---" if h in ("scene", "algorithm", "mode") else "--:" for h in head) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows])
+
+
+def number(value):
+    return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
+def profile(rows):
+    parts = list(dict.fromkeys(p for r in rows for p, ns in r["parts"].items() if ns > 0.01 * r["nanoseconds_per_path"]))
+    listed = [[r["scene"], r["integrator"], r["mode"], f"{r['nanoseconds_per_path']:.0f}", f"{r['rays_per_path']:.1f}",
+               *(f"{r['parts'].get(p, 0):.0f}" for p in parts)] for r in rows]
+    return "Nanoseconds a path, one thread.\n\n" + table(["scene", "algorithm", "mode", "all", "rays a path", *parts], listed)
+
+
+def limits(content):
+    rays = [[r["scene"], r["algorithm"], r["mode"], f"{r['nanoseconds_per_path']:.0f}",
+             f"{r['rays_per_path']:.2f} + {r['shadow_rays_per_path']:.2f}", f"{r['nanoseconds_per_ray_alone']:.0f}",
+             f"{r['nanoseconds_per_shadow_ray_alone']:.0f}",
+             f"{100 * r['share']:.0f} % ({100 * r['share_low']:.0f} to {100 * r['share_high']:.0f})",
+             f"{r['nanoseconds_per_path'] * (1 - r['share']):.0f}"] for r in content["rays"]]
+    photons = [[r["scene"], r["mode"], str(r["photons"]), str(r["bytes_per_photon"]), f"{r['nanoseconds_to_build_a_photon']:.0f}",
+                f"{r['nanoseconds_per_query']:.0f}", f"{r['found_per_query']:.2f}", f"{r['found_gigabytes_per_second']:.2f}",
+                f"{r['stream_gigabytes_per_second']:.1f}", f"{r['nanoseconds_per_random_line']:.1f}"] for r in content["photon_map"]]
+    return (table(["scene", "algorithm", "mode", "ns a path", "rays + shadow rays", "ns a ray alone", "ns a shadow ray alone",
+                   "rays alone, of the time", "ns of the rest"], rays) + "\n\n" +
+            table(["scene", "mode", "photons", "bytes a photon", "ns to build, a photon", "ns a query", "photons found", "their GB/s",
+                   "GB/s in order", "ns of a line at random"], photons))
+
+
+def convergence(content):
+    target, marks = max(content["settings"]["targets"]), {"measured": "", "at_most": "≤ ", "extrapolated": "≈ "}
+    # The plots' sampler: the first.
+    rows = [r for r in content["rows"] if r["variant"] == "optimized" and r["sampler"] == content["settings"]["samplers"][0]]
+    algorithms, listed = list(dict.fromkeys(r["algorithm"] for r in rows)), []
+    for scene in dict.fromkeys(r["scene"] for r in rows):
+        for quantity in ("S0", "S1-S3"):
+            cells = []
+            for algorithm in algorithms:
+                found = [t for r in rows if r["scene"] == scene and r["algorithm"] == algorithm for t in r["time_to"]
+                         if t["quantity"] == quantity and t["error"] == target]
+                cells.append(marks[found[0]["how"]] + number(found[0]["seconds"]) if found else "—")
+            if any(c != "—" for c in cells):
+                listed.append([scene, quantity.replace("-", "–"), *cells])
+    return (f"Seconds to a relative error of {target:g} (`optimized`, {content['settings']['resolution']} pixels across; ≤: at the first point "
+            "already; ≈: along the line through the last three; —: more than 30 times as long as was measured, or never).\n\n" +
+            table(["scene", "error of", *algorithms], listed))
+
+
+def samplers(content):
+    found = {}
+    for g in content["gains"]:
+        if g["variant"] == "optimized" and g["sampler"] == "sobol" and g["quantity"] in ("S0", "S1-S3"):
+            text = f"{g['ratio']:.2f} ({g['ratio_low']:.2f} to {g['ratio_high']:.2f})"
+            found.setdefault((g["scene"], g["algorithm"]), {"samples": g["samples"]})[g["quantity"], g["at_equal"]] = text
+    columns = [(q, at) for q in ("S0", "S1-S3") for at in ("samples", "time")]
+    listed = [[*key, str(cells["samples"]), *(cells.get(c, "—") for c in columns)] for key, cells in found.items()]
+    return table(["scene", "algorithm", "samples a pixel", *(f"{q}, equal {at}" for q, at in columns)], listed)
+
+
+def scaling(rows):
+    listed = [[r["scene"], r["algorithm"], r["mode"], f"{r['ratio']:.2f} ({r['ratio_low']:.2f} to {r['ratio_high']:.2f})"] for r in rows
+              if r["dimension"] == "threads" and r["value"] == max(x["value"] for x in rows if x["dimension"] == "threads")]
+    most = max((r["value"] for r in rows if r["dimension"] == "threads"), default=0)
+    return table(["scene", "algorithm", "mode", f"speed of {most} threads, of one's"], listed)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: docs/make_tables.py OUT")
+    text, measured = PAGE.read_text(encoding="utf-8"), pathlib.Path(sys.argv[1])
+    for make, name in ((profile, "profile"), (limits, "limits"), (convergence, "convergence"), (samplers, "convergence"), (scaling, "scaling")):
+        try:
+            made = make(json.loads((measured / f"{name}.json").read_text(encoding="utf-8")))
+        except FileNotFoundError as error:
+            print(f"make_tables.py: {make.__name__}: skipped: there is no {error.filename}", file=sys.stderr)
+            continue
+        except (ValueError, KeyError) as error:
+            sys.exit(f"make_tables.py: {name}.json: {error!r}")
+        begin, end = f"<!-- {make.__name__} -->\n", f"<!-- /{make.__name__} -->\n"
+        text, count = re.subn(re.escape(begin) + ".*?" + re.escape(end), lambda _, m=made: f"{begin}\n{m}\n\n{end}", text, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"make_tables.py: {PAGE}: there is no place for {make.__name__}")
+    PAGE.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
