@@ -96,7 +96,7 @@ PhotonTimes time_photons_of(const renderer::Scene& scene, double seconds) {
   PhotonTimes t;
   t.mode = R::polarized ? "optimized" : "unpolarized";
   t.photons = paths[0].vertices.size();
-  t.bytes_per_photon = sizeof(renderer::Photon<R>);
+  t.bytes_per_photon = sizeof(renderer::Photon);
   if (t.photons == 0 || points.empty()) return t;
   t.build = least_seconds(seconds, build) * 1e9 / static_cast<double>(t.photons);
   t.bytes = map.bytes();
@@ -105,7 +105,7 @@ PhotonTimes time_photons_of(const renderer::Scene& scene, double seconds) {
     found = 0;
     // The sum reads what merging reads last of a photon.
     for (const auto& p : points)
-      map.each_near(p, [&](const auto& photon) { found += photon.edges > 0 ? 1 : 2; });
+      map.each_near(p, [&](const auto& photon, std::size_t) { found += photon.edges > 0 ? 1 : 2; });
     sink = sink + found;
   });
   const auto queries = static_cast<double>(points.size());

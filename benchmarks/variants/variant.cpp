@@ -26,9 +26,10 @@ std::unique_ptr<renderer::Passes> make_passes(Variant variant, const renderer::S
   if (variant == Variant::naive)
     return scene.has_media() ? make_naive_media_passes(scene, options, film)
                              : make_naive_surface_passes(scene, options, film);
+  const renderer::Needs needs = renderer::find_needs(scene);
   const bool polarized =
-      variant == Variant::optimized ||
-      (variant == Variant::automatic && renderer::find_needs(scene).polarization());
+      variant == Variant::optimized || (variant == Variant::automatic && needs.polarization());
+  options.stores_polarization = needs.stored_polarization();
   options.mode = polarized ? renderer::Mode::optimized : renderer::Mode::unpolarized;
   return renderer::make_passes(scene, options, film);
 }

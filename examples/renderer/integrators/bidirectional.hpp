@@ -34,9 +34,13 @@ struct Iteration {
 template <class R, class M>
 class BidirectionalIntegrator {
  public:
-  BidirectionalIntegrator(const Scene& scene, const Techniques& techniques)
+  /// Unless it `stores_polarization`, light at the vertices of light paths counts by its intensity
+  /// alone.
+  BidirectionalIntegrator(const Scene& scene, const Techniques& techniques,
+                          bool stores_polarization = true)
       : scene_(scene),
         techniques_(techniques),
+        stores_polarization_(stores_polarization),
         way_(scene),
         visibility_(scene, counters_),
         lens_(scene, visibility_, counters_),
@@ -64,8 +68,11 @@ class BidirectionalIntegrator {
       if ((techniques_.connect && selects_or_all({v.vertex, 1})) || techniques_.lens_alone)
         lens_.connect(v, iteration.light_paths, weigh, sampler, splats);
       if (techniques_.lens_alone) return;
-      counters_.count_stored(v.light);
       paths.vertices.push_back(v);
+      typename R::Light& light = paths.vertices.back().light;
+      if constexpr (R::polarized)
+        if (!stores_polarization_) light = R::unpolarized(R::intensity(light));
+      counters_.count_stored(light);
     });
     paths.ends.push_back(paths.vertices.size());
   }
@@ -248,8 +255,7 @@ class BidirectionalIntegrator {
     const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
     const float cosine = v.scatterer.cosine(v.hit, light.direction);
     const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * w)));
-    path_.deposit(scatter<R>(v.scatterer, v.hit, light.direction, v.exitant, value, arriving,
-                             path_.reads_polarization()));
+    path_.deposit(v.hit, light.direction, v.exitant, v.scatterer, value, arriving);
   }
 
   /// Connects two vertices, z of the camera's path and y of the light's.
@@ -284,9 +290,7 @@ class BidirectionalIntegrator {
     const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
     const auto arriving =
         visibility_.through(scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light));
-    path_.deposit(scatter<R>(z.scatterer, z.hit, to_light, z.exitant, at_z, arriving,
-                             path_.reads_polarization()) *
-                  (geometry * w));
+    path_.deposit(z.hit, to_light, z.exitant, z.scatterer, at_z, arriving * (geometry * w));
   }
 
   /// Density estimation: the photons near the vertex, each scattered from where it came.
@@ -309,9 +313,8 @@ class BidirectionalIntegrator {
         w *= mis_weight(photon.mis.merged(value.pdf_incident, f, v.merge),
                         v.mis.merged(value.pdf_exitant, f, v.merge));
       }
-      path_.deposit(scatter<R>(v.scatterer, v.hit, photon.incident, v.exitant, value,
-                               photons.light(photon, i), path_.reads_polarization()) *
-                    w);
+      path_.deposit(v.hit, photon.incident, v.exitant, v.scatterer, value,
+                    photons.light(photon, i) * w);
     });
   }
 
@@ -342,6 +345,7 @@ class BidirectionalIntegrator {
 
   const Scene& scene_;
   const Techniques techniques_;
+  const bool stores_polarization_;
   Counters counters_;
   Way<M> way_;
   Visibility<R, M> visibility_;

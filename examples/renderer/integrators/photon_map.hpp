@@ -66,12 +66,16 @@ class PhotonMap {
         for (const auto& v : p.vertices)
           if (v.scatterer.is_medium() == in_media) visit(v);
     };
-    each([&](const auto&) { ++count; });
+    bool any_is_polarized = false;
+    each([&](const auto& v) {
+      ++count;
+      if constexpr (R::polarized) any_is_polarized |= !R::is_unpolarized(v.light);
+    });
     const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(count, 1024));
     mask_ = static_cast<std::uint32_t>(buckets - 1);
     starts_.assign(buckets + 1, 0);
     photons_.resize(count);
-    if constexpr (R::polarized) lights_.resize(count);
+    lights_.resize(any_is_polarized ? count : 0);
 
     each([&](const auto& v) { ++starts_[bucket(cell(v.point.position)) + 1]; });
     for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
@@ -108,8 +112,9 @@ class PhotonMap {
   }
 
   float radius() const { return radius_; }
-  static constexpr std::size_t bytes_per_photon() {
-    return sizeof(Photon) + (R::polarized ? sizeof(PhotonLight<R>) : 0);
+  /// Without or with what polarised light takes.
+  static constexpr std::size_t bytes_per_photon(bool is_polarized) {
+    return sizeof(Photon) + (is_polarized ? sizeof(PhotonLight<R>) : 0);
   }
   std::size_t bytes() const {
     return photons_.capacity() * sizeof(Photon) + lights_.capacity() * sizeof(PhotonLight<R>) +

@@ -26,6 +26,7 @@ class BidirectionalPass {
   BidirectionalPass(const Scene& scene, const RenderOptions& options, Film& film)
       : scene_(scene),
         techniques_(*Techniques::named(scene.integrator.name)),
+        stores_polarization_(options.stores_polarization),
         seed_(options.seed),
         is_sobol_(options.sampler == SamplerKind::sobol),
         film_(film),
@@ -33,7 +34,7 @@ class BidirectionalPass {
         layers_(techniques_.merge ? 1 : film.batches()),
         exposure_(scene.film, layers_),
         paths_per_pixel_(light_paths_per_pixel()),
-        integrators_([this] { return Worker(scene_, techniques_); }) {}
+        integrators_([this] { return Worker(scene_, techniques_, stores_polarization_); }) {}
 
   /// Iterations [first, last). False if it was stopped before its end; whole iterations stay done.
   template <class Stopped>
@@ -75,8 +76,11 @@ class BidirectionalPass {
 
   LightVertexMemory light_vertices() const {
     if (techniques_.lens_alone) return {};
-    LightVertexMemory memory{sizeof(LightVertex<R, M>),
-                             techniques_.merge ? PhotonMap<R>::bytes_per_photon() : 0, peak_bytes_};
+    LightVertexMemory memory{
+        sizeof(LightVertex<R, M>),
+        techniques_.merge ? PhotonMap<R>::bytes_per_photon(R::polarized && stores_polarization_)
+                          : 0,
+        peak_bytes_};
     for (const auto& worker : integrators_) memory.peak += bytes(worker.paths);
     return memory;
   }
@@ -86,7 +90,8 @@ class BidirectionalPass {
 
   /// What a thread keeps.
   struct Worker {
-    Worker(const Scene& scene, const Techniques& techniques) : integrator(scene, techniques) {}
+    Worker(const Scene& scene, const Techniques& techniques, bool stores_polarization)
+        : integrator(scene, techniques, stores_polarization) {}
     BidirectionalIntegrator<R, M> integrator;
     LightPaths<R, M> paths;  // of the sample at hand, where no more are needed
   };
@@ -253,6 +258,7 @@ class BidirectionalPass {
 
   const Scene& scene_;
   const Techniques techniques_;
+  const bool stores_polarization_;
   std::uint64_t seed_;
   bool is_sobol_;
   Film& film_;

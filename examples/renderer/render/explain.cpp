@@ -200,7 +200,9 @@ class Explanation {
   template <class R, class M>
   void explain_storage_of(const Techniques& techniques) {
     say("A light vertex takes " + std::to_string(sizeof(LightVertex<R, M>)) + " bytes" +
-        (techniques.merge ? ", a photon " + std::to_string(PhotonMap<R>::bytes_per_photon()) : "") +
+        (techniques.merge ? ", a photon " + std::to_string(PhotonMap<R>::bytes_per_photon(
+                                                R::polarized && needs_.stored_polarization()))
+                          : "") +
         ".");
     if constexpr (R::polarized)
       say(needs_.stored_polarization()

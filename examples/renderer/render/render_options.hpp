@@ -19,6 +19,8 @@ struct RenderOptions {
   std::uint64_t samples_per_pixel = 4;  ///< with a time limit, without end
   double seconds = 0;                   ///< 0: no time limit
   std::uint64_t seed = 0;
+  /// Light that waits at a vertex for a connection or merge may count by more than its intensity.
+  bool stores_polarization = true;
   SamplerKind sampler = SamplerKind::independent;  ///< the command line chooses by the scene
   int threads = 0;                                 ///< 0: all there are
   std::uint64_t first_sample = 0;                  ///< the number of the first of them
