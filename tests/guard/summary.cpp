@@ -33,24 +33,34 @@ std::map<std::string, std::string> small(const std::filesystem::path& scene) {
 
 using Stokes = std::array<double, 4>;
 
-Stokes mean_of(const renderer::Image& image, int from_x, int to_x, int from_y, int to_y) {
+/// The mean of the channels.
+Stokes stokes_of(const renderer::Image& image, int x, int y) {
   Stokes mean{};
-  for (int s = 0; s < 4; ++s)
-    for (const char* channel : {".R", ".G", ".B"}) {
-      const auto plane = image.plane("S" + std::to_string(s) + channel);
-      for (int y = from_y; y < to_y; ++y)
-        for (int x = from_x; x < to_x; ++x)
-          mean[static_cast<std::size_t>(s)] +=
-              static_cast<double>(plane[static_cast<std::size_t>(y * image.width + x)]);
-    }
-  const double count = 3.0 * (to_x - from_x) * (to_y - from_y);
-  for (double& s : mean) s /= count;
+  const auto pixel = static_cast<std::size_t>(y * image.width + x);
+  for (std::size_t s = 0; s < 4; ++s)
+    for (const char* channel : {".R", ".G", ".B"})
+      mean[s] += static_cast<double>(image.plane("S" + std::to_string(s) + channel)[pixel]) / 3;
   return mean;
 }
 
-void append(const Stokes& mean, double scale, Summary& summary) {
-  const double whole = std::max(mean[0], 0.0) + scale;
-  for (const double s : mean) summary.push_back(s / whole);
+/// Means over a block of pixels, each of them brought into bounds before.
+void append_block(const renderer::Image& image, int from_x, int to_x, int from_y, int to_y,
+                  double scale, Summary& summary) {
+  Stokes mean{};
+  for (int y = from_y; y < to_y; ++y)
+    for (int x = from_x; x < to_x; ++x) {
+      const Stokes stokes = stokes_of(image, x, y);
+      const double bound = (std::max(stokes[0], 0.0) + scale) * (to_x - from_x) * (to_y - from_y);
+      for (std::size_t s = 0; s < 4; ++s) mean[s] += stokes[s] / bound;
+    }
+  summary.insert(summary.end(), mean.begin(), mean.end());
+}
+
+double mean_intensity(const renderer::Image& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) sum += stokes_of(image, x, y)[0];
+  return sum / (image.width * image.height);
 }
 
 }  // namespace
@@ -70,16 +80,14 @@ std::optional<Summary> summarize(const std::filesystem::path& path, const std::s
   const std::atomic<bool> stop{false};
   const auto image =
       renderer::render(scene, options, stop, {}).film.image(renderer::StokesFrame::horizontal);
-  const Stokes all = mean_of(image, 0, image.width, 0, image.height);
-  if (scale <= 0) scale = std::max(all[0], 1e-6);
+  if (scale <= 0) scale = std::max(mean_intensity(image), 1e-6);
   Summary summary;
   const int across = std::min(columns, image.width), down = std::min(rows, image.height);
   for (int row = 0; row < down; ++row)
     for (int column = 0; column < across; ++column)
-      append(mean_of(image, image.width * column / across, image.width * (column + 1) / across,
-                     image.height * row / down, image.height * (row + 1) / down),
-             scale, summary);
-  append(all, scale, summary);
+      append_block(image, image.width * column / across, image.width * (column + 1) / across,
+                   image.height * row / down, image.height * (row + 1) / down, scale, summary);
+  append_block(image, 0, image.width, 0, image.height, scale, summary);
   return summary;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A small picture of a scene in a few numbers, whose distribution over seeds has no long tails: of
-// each of its blocks and of the whole the mean Stokes vector, brought into bounds. A caustic that
-// one seed in a hundred meets then counts as one bright block, not as the mean of all of them.
+// A small picture of a scene in a few numbers, whose distribution over seeds has no long tails:
+// Stokes vectors of pixels, brought into bounds, and then their means over blocks and over the
+// whole. A caustic that one seed in a hundred meets counts as one bright pixel, however bright.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace guard {
 
-/// Of each block S0/(S0 + scale) and S1, S2, S3 over (S0 + scale), means of the channels; the last
-/// block is the whole picture.
+/// Of each block the means over pixels of S0/(S0 + scale) and of S1, S2, S3 over (S0 + scale), each
+/// the mean of the channels before; the last block is the whole picture.
 using Summary = std::vector<double>;
 
 inline const std::vector<std::string>& integrators() {
