@@ -8,6 +8,7 @@
 #   asan     the tests under the address and undefined behaviour sanitizers; of the latter without the checks of pointers
 #            that the former makes as well, which take most of the time to compile
 #   fuzz     every reader of files and arguments under libFuzzer and the sanitizers, for a few seconds each
+#   tsan     every integrator on several threads under the thread sanitizer (asked for alone only)
 #   format   clang-format finds nothing to change
 #   tidy     clang-tidy finds nothing to object to
 # Every CTest entry counts as one test, and so does each stage's build. The last line is the sum of them.
@@ -18,8 +19,8 @@ stages=("$@")
 ((${#stages[@]})) || stages=(release clang asan fuzz format tidy)
 for stage in "${stages[@]}"; do
   case $stage in
-    release | clang | asan | fuzz | format | tidy) ;;
-    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, fuzz, format and tidy" >&2; exit 2 ;;
+    release | clang | asan | fuzz | tsan | format | tidy) ;;
+    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, fuzz, tsan, format and tidy" >&2; exit 2 ;;
   esac
 done
 
@@ -45,6 +46,7 @@ check() {
   fi
 }
 
+# build PRESET [OPTIONS OF CMAKE...]: everything.
 build() {
   local preset=$1
   shift
@@ -99,6 +101,28 @@ stage_fuzz() {
   for fuzzer in scene mesh picture volume arguments; do
     check "fuzz: $fuzzer" bash tests/fuzz/run.sh 5 "$fuzzer"
   done
+}
+
+stage_tsan() {
+  check "tsan: build" build_renderer tsan || return
+  local scene integrator
+  for scene in glossy glass_medium; do
+    for integrator in path ptracer bdpt ppm bpm vcm; do
+      check "tsan: $scene by $integrator" renders_without_races "$scene" "$integrator"
+    done
+  done
+}
+build_renderer() {
+  cmake --preset "$1" && cmake --build --preset "$1" --parallel "$jobs" --target malus-render
+}
+renders_without_races() {
+  local picture status
+  picture=$(mktemp --suffix=.exr)
+  TSAN_OPTIONS=exitcode=66 build/tsan/examples/malus-render "examples/scenes/$1.xml" -o "$picture" --integrator "$2" \
+    --mode optimized --spp 2 --threads 3 -D resolution=24
+  status=$?
+  rm -f "$picture"
+  return "$status"
 }
 
 own_sources() {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "exposure.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
+#include "../core/parallel.hpp"
 #include "../integrators/counters.hpp"
 
 namespace renderer {
@@ -36,28 +33,25 @@ void Exposure::add(std::span<const SplatList> lists) {
   // Every thread has rows of its own and goes through all lists in the same order.
   const int threads = tbb::this_task_arena::max_concurrency();
   const auto grain = static_cast<std::size_t>((film_.crop_height + threads - 1) / threads);
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, film_.crop_height, grain),
-      [&](const tbb::blocked_range<int>& rows) {
+  parallel_for(
+      static_cast<std::size_t>(film_.crop_height), grain, [&](std::size_t first, std::size_t last) {
         for (const SplatList& list : lists)
           for (const Splat& splat : list.splats)
-            add_to_rows(splat, list.layer, rows.begin(), rows.end());
-      },
-      tbb::simple_partitioner());
+            add_to_rows(splat, list.layer, static_cast<int>(first), static_cast<int>(last));
+      });
 }
 
 std::uint64_t Exposure::develop(std::size_t layer, std::size_t batch, Film& film) const {
   std::atomic<std::uint64_t> dropped{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels_, 4096),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t p = range.begin(); p != range.end(); ++p) {
-                        const auto& reading = readings_[layer * pixels_ + p];
-                        if (is_finite(reading))
-                          film.at(p, batch).add(reading);
-                        else
-                          ++dropped;
-                      }
-                    });
+  parallel_for(pixels_, 4096, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p != last; ++p) {
+      const auto& reading = readings_[layer * pixels_ + p];
+      if (is_finite(reading))
+        film.at(p, batch).add(reading);
+      else
+        ++dropped;
+    }
+  });
   return dropped;
 }
 

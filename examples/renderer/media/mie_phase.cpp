@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mie_phase.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <malus/optics/mie_sizes.hpp>
 #include <numbers>
 #include <string>
 
+#include "../core/parallel.hpp"
 #include "../image/finite.hpp"
 #include "../scene/text.hpp"
 
@@ -99,13 +98,15 @@ TabulatedPhase make_mie_phase(const MieParticles& particles, const Wavelengths& 
   constexpr std::size_t part = 256;
   const std::size_t parts = (angles.size() + part - 1) / part;
   std::vector<TabulatedPhase::Row> rows(angles.size());
-  tbb::parallel_for(std::size_t{0}, 3 * parts, [&](std::size_t task) {
-    const std::size_t channel = task % 3, first = task / 3 * part;
-    const std::size_t count = std::min(part, angles.size() - first);
-    const MieMean mean = malus::mie_mean(
-        {size_parameter(particles, wavelengths[channel]), particles.geometric_deviation},
-        relative_index(particles), std::span(cosines).subspan(first, count), quadrature);
-    for (std::size_t i = 0; i < count; ++i) rows[first + i][channel] = mean.elements[i];
+  parallel_for(3 * parts, 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t task = from; task != to; ++task) {
+      const std::size_t channel = task % 3, first = task / 3 * part;
+      const std::size_t count = std::min(part, angles.size() - first);
+      const MieMean mean = malus::mie_mean(
+          {size_parameter(particles, wavelengths[channel]), particles.geometric_deviation},
+          relative_index(particles), std::span(cosines).subspan(first, count), quadrature);
+      for (std::size_t i = 0; i < count; ++i) rows[first + i][channel] = mean.elements[i];
+    }
   });
   return TabulatedPhase(angles, rows);
 }

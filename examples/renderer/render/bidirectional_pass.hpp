@@ -3,14 +3,13 @@
 // pixel, to which light paths may contribute from anywhere.
 #pragma once
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <cstdint>
 #include <vector>
 
+#include "../core/parallel.hpp"
 #include "../film/exposure.hpp"
 #include "../integrators/bidirectional.hpp"
 #include "render_options.hpp"
@@ -120,15 +119,14 @@ class BidirectionalPass {
     paths_.resize(techniques_.merge ? tasks : 0);
     const auto each_task = [&](auto&& work) {
       std::atomic<bool> complete{true};
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks, 1),
-                        [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                            if (stopped()) complete = false;
-                            if (!complete) return;
-                            work(Task{i, first_tile + i / layers, i % layers, first + i % layers},
-                                 integrators_.local());
-                          }
-                        });
+      parallel_for(tasks, 1, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i != to; ++i) {
+          if (stopped()) complete = false;
+          if (!complete) return;
+          work(Task{i, first_tile + i / layers, i % layers, first + i % layers},
+               integrators_.local());
+        }
+      });
       return complete.load();
     };
 

@@ -2,15 +2,14 @@
 // Camera paths that know nothing of each other: samples of pixels in any order.
 #pragma once
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "../core/parallel.hpp"
 #include "../integrators/path.hpp"
 #include "render_options.hpp"
 #include "tiles.hpp"
@@ -36,18 +35,17 @@ class PathPass {
   bool run(std::uint64_t first, std::uint64_t last, Stopped&& stopped) {
     std::atomic<bool> complete{true};
     finished_.resize(tiles_.count() * film_.batches());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, finished_.size(), 1),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t task = range.begin(); task != range.end(); ++task) {
-                          if (finished_[task] != 0) continue;
-                          if (stopped()) {
-                            complete = false;
-                            return;
-                          }
-                          render_task(task, first, last);
-                          finished_[task] = 1;
-                        }
-                      });
+    parallel_for(finished_.size(), 1, [&](std::size_t from, std::size_t to) {
+      for (std::size_t task = from; task != to; ++task) {
+        if (finished_[task] != 0) continue;
+        if (stopped()) {
+          complete = false;
+          return;
+        }
+        render_task(task, first, last);
+        finished_[task] = 1;
+      }
+    });
     if (complete) finished_.clear();
     return complete;
   }
