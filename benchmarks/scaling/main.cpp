@@ -75,6 +75,10 @@ class InArena final : public renderer::Passes {
     return arena_.execute([&] { return passes_->run(first, last, stopped); });
   }
   void salvage() override { passes_->salvage(); }
+  std::vector<std::uint8_t> finished() const override { return passes_->finished(); }
+  bool resume(std::vector<std::uint8_t> finished) override {
+    return passes_->resume(std::move(finished));
+  }
   std::uint64_t next(std::uint64_t done, std::uint64_t step) const override {
     return passes_->next(done, step);
   }

@@ -29,7 +29,7 @@ std::unique_ptr<renderer::Passes> make_passes(Variant variant, const renderer::S
   const renderer::Needs needs = renderer::find_needs(scene);
   const bool polarized =
       variant == Variant::optimized || (variant == Variant::automatic && needs.polarization());
-  options.stores_polarization = needs.stored_polarization();
+  options.stores_polarization = variant == Variant::optimized || needs.stored_polarization();
   options.mode = polarized ? renderer::Mode::optimized : renderer::Mode::unpolarized;
   return renderer::make_passes(scene, options, film);
 }

@@ -126,7 +126,7 @@ TEST_CASE("normalmap: colours are read from the picture, and the tangent stays a
       meter(above, {0, 0, 0}, {1, 0, 0}) +
       plate(wrapped("normalmap", bitmap("normalmap", map, text_value("filter_type", "nearest")),
                     bsdf("polarizer"))));
-  CHECK(scene.warnings.size() == 1);  // it isn't "raw"
+  CHECK(scene.warnings.size() == 2);  // it isn't "raw", nor in the scene's folder
   for (const float x : {-0.5f, 0.5f}) {
     Hit hit;
     REQUIRE(scene.intersect({Vec3(x, 0.1f, 2), Vec3(0, 0, -1), renderer::infinity}, hit));

@@ -379,7 +379,7 @@ TEST_CASE("needs: --explain says which code runs and why, and renders nothing") 
   CHECK_MESSAGE_HAS(explained("box.xml", "vcm"), "optimized), since all of 2 elements",
                     "dielectric (line 98) of the sphere \"glass\" (line 95): matters, since the "
                     "sensor may see it, and it may exchange light with the sphere \"metal\"",
-                    "a photon", "the intensity alone counts");
+                    "a photon", "the intensity alone is kept");
   CHECK_MESSAGE_HAS(explained("glossy.xml", "vcm"), "Its light is a Stokes vector");
   CHECK_MESSAGE_HAS(explained("box.xml", "path", "unpolarized"), "would matter");
   CHECK_MESSAGE_HAS(explained("sky_slab.xml", "path"), "what is scattered in \"atmosphere\"",

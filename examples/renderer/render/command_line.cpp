@@ -250,7 +250,7 @@ int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
     return 0;
   }
   if (a.mode == "auto" && options.mode == Mode::optimized) skip_what_is_not_needed(needs, scene);
-  options.stores_polarization = needs.stored_polarization();
+  options.stores_polarization = a.mode != "auto" || needs.stored_polarization();
   options.samples_per_pixel =
       a.samples.value_or(static_cast<std::uint64_t>(scene.samples_per_pixel));
   options.seconds = a.seconds;

@@ -199,15 +199,16 @@ class Explanation {
 
   template <class R, class M>
   void explain_storage_of(const Techniques& techniques) {
+    const bool stores_stokes = R::polarized && (asked_ != "auto" || needs_.stored_polarization());
     say("A light vertex takes " + std::to_string(sizeof(LightVertex<R, M>)) + " bytes" +
-        (techniques.merge ? ", a photon " + std::to_string(PhotonMap<R>::bytes_per_photon(
-                                                R::polarized && needs_.stored_polarization()))
-                          : "") +
+        (techniques.merge
+             ? ", a photon " + std::to_string(PhotonMap<R>::bytes_per_photon(stores_stokes))
+             : "") +
         ".");
     if constexpr (R::polarized)
-      say(needs_.stored_polarization()
+      say(stores_stokes
               ? "Its light is a Stokes vector: it may be polarised, and reach what polarises."
-              : "Of its light the intensity alone counts: what it is connected to or merged with "
+              : "Of its light the intensity alone is kept: what it is connected to or merged with "
                 "depolarises.");
   }
 
