@@ -195,3 +195,45 @@ TEST_CASE("photon map: photons on surfaces and those in media have a map each") 
     CHECK(shown(map, Vec3(0.0f)) == (in_media ? std::vector<int>{0, 2} : std::vector<int>{1, 3}));
   }
 }
+
+TEST_CASE("photon map: light comes back as it was stored, polarised or not, in its frame") {
+  using Polarized = malus::Polarized<renderer::Rgb>;
+  using renderer::Rgb;
+  const auto map_of_light = [](int polarized_every) {
+    std::vector<renderer::LightPaths<Polarized, renderer::NoMedia>> paths(1);
+    Sampler sampler(5, 0, 0);
+    for (int i = 0; i < 200; ++i) {
+      renderer::LightVertex<Polarized, renderer::NoMedia> v{};
+      v.point.position = Vec3(sampler.next_1d(), sampler.next_1d(), sampler.next_1d());
+      v.incident = renderer::square_to_sphere(sampler.next_2d());
+      v.edges = i;
+      const auto number = static_cast<float>(i + 1);
+      const auto frame = malus::Frame<float>::about(-v.incident).turned(number);
+      v.light = i % polarized_every == polarized_every / 2
+                    ? Polarized::Light(Rgb(number), Rgb(0.5f, 0.1f, 0.2f), Rgb(-0.25f * number),
+                                       Rgb(0.125f, -0.5f, number), frame)
+                    : Polarized::unpolarized(Rgb(number));
+      paths[0].vertices.push_back(v);
+    }
+    paths[0].ends.push_back(paths[0].vertices.size());
+    renderer::PhotonMap<Polarized> map;
+    map.build(std::span<const renderer::LightPaths<Polarized, renderer::NoMedia>>(paths), false,
+              Vec3(0.5f), 2);
+    int seen = 0;
+    map.each_near(Vec3(0.5f), [&](const renderer::Photon& photon, std::size_t i) {
+      const auto& stored = paths[0].vertices[photon.edges].light;
+      const auto light = map.light(photon, i);
+      ++seen;
+      CHECK(light.form() == stored.form());
+      for (std::size_t k = 0; k < 4; ++k)
+        CHECK(malus::max_channel(light[k]) == malus::max_channel(stored[k]));
+      if (stored.form() != malus::StokesForm::full) return;
+      CHECK(light.frame().x() == stored.frame().x());
+      CHECK(glm::length(light.frame().y() - stored.frame().y()) < 1e-6f);
+    });
+    CHECK(seen == 200);
+    return map.bytes();
+  };
+  const auto some_polarized = map_of_light(3), none_polarized = map_of_light(1000);
+  CHECK(some_polarized - none_polarized == 200 * sizeof(renderer::PhotonLight<Polarized>));
+}

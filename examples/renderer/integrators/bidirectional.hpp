@@ -298,6 +298,7 @@ class BidirectionalIntegrator {
     const bool in_medium = v.scatterer.is_medium();
     const PhotonMap<R>& photons = in_medium ? *iteration_->media_photons : *iteration_->photons;
     const float normalization = 1 / (v.merge * opacity(v));
+    const bool reads_polarization = v.scatterer.polarizes();
     photons.each_near(v.hit.position, [&](const Photon& photon, std::size_t i) {
       const int edges = static_cast<int>(photon.edges) + v.edges;
       if (scene_.integrator.max_depth >= 0 && edges > scene_.integrator.max_depth) return;
@@ -313,8 +314,9 @@ class BidirectionalIntegrator {
         w *= mis_weight(photon.mis.merged(value.pdf_incident, f, v.merge),
                         v.mis.merged(value.pdf_exitant, f, v.merge));
       }
-      path_.deposit(v.hit, photon.incident, v.exitant, v.scatterer, value,
-                    photons.light(photon, i) * w);
+      const auto light =
+          reads_polarization ? photons.light(photon, i) : R::unpolarized(photon.intensity);
+      path_.deposit(v.hit, photon.incident, v.exitant, v.scatterer, value, light * w);
     });
   }
 
