@@ -118,7 +118,7 @@ build_renderer() {
 renders_without_races() {
   local picture status
   picture=$(mktemp --suffix=.exr)
-  TSAN_OPTIONS=exitcode=66 build/tsan/examples/malus-render "examples/scenes/$1.xml" -o "$picture" --integrator "$2" \
+  TSAN_OPTIONS="exitcode=66 suppressions=$PWD/tests/tsan.supp" build/tsan/examples/malus-render "examples/scenes/$1.xml" -o "$picture" --integrator "$2" \
     --mode optimized --spp 2 --threads 3 -D resolution=24
   status=$?
   rm -f "$picture"
