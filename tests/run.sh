@@ -92,7 +92,7 @@ stage_asan() {
   local long='agree: (diffuse|glossy|glass|bathroom)\.xml|merges that weigh as much|every kind of light|sheets before the light|small errors are caught|strategies: each alone'
   long+='|media agree: (a scene full|dense bodies|extinction|media within|density|each strategy)|slab: (Natraj|IPRT)'
   check "asan: build" build asan -DMALUS_BUILD_BENCHMARKS=OFF &&
-    run_ctest asan --label-exclude 'package|compile_fail' --exclude-regex "^docs:|$long"
+    run_ctest asan --label-exclude 'package|compile_fail' --exclude-regex "^(docs|guard):|$long"
 }
 
 # Here they run what is known; tests/fuzz/run.sh looks further for as long as one wants.
