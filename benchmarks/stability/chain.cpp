@@ -159,7 +159,9 @@ class Walk {
 
   void reflect() {
     const auto enter = enter_frame(), exit = exit_frame();
-    const T cosine = number(0.05, 1), eta = number(0.3, 3);
+    const T cosine = number(0.05, 1), denser = number(1.1, 3);
+    // An index of 1 would reflect nothing.
+    const T eta = random_.unit() < 0.5 ? denser : 1 / denser;
     const bool metal = random_.unit() < 0.5;
     const T k = metal ? number(0.5, 6) : T(0);
     const Exact c = cosine;
@@ -229,6 +231,7 @@ Chain run(Kind kind, std::uint64_t length, std::uint64_t seed) {
     const Exact reached = degree(light);
     ++chain.states;
     if (!std::isfinite(reached)) ++chain.not_finite;
+    if (light[0] < 0) ++chain.negative;
     if (reached > 1) ++chain.beyond_one;
     chain.largest_degree = std::max(chain.largest_degree, static_cast<double>(reached));
     if (n != looks[chain.error.size()]) continue;

@@ -36,6 +36,7 @@ struct Chain {
   std::uint64_t states = 0;      ///< of light, one behind each element
   std::uint64_t beyond_one = 0;  ///< of these: with a degree of polarisation above 1 …
   double largest_degree = 0;     ///< … the largest
+  std::uint64_t negative = 0;    ///< with an intensity below 0
   std::uint64_t not_finite = 0;
 };
 

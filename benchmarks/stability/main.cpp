@@ -8,7 +8,8 @@
 // largest component, over the intensity), geometric mean and largest of the chains, by the number
 // of elements; the law it grows by, an exponent with its interval of 95 % (½ of a random walk, 1 of
 // a drift); the relative drift of the degree of polarisation with its standard error; and how many
-// of all states of light on the way have a degree of polarisation above 1, and by how much. Short
+// of all states of light on the way have a degree of polarisation above 1, and by how much, or an
+// intensity below 0. Short
 // chains are many, the longest few. The second kind of rotation is there to be seen to drift.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -47,7 +48,7 @@ struct Result {
   bool is_double = false;
   std::vector<Point> points;
   Growth error, degree;
-  std::uint64_t states = 0, beyond_one = 0, not_finite = 0;
+  std::uint64_t states = 0, beyond_one = 0, negative = 0, not_finite = 0;
   double largest_degree = 0;
 };
 
@@ -104,6 +105,7 @@ Result measure(const Arguments& a, Kind kind, bool is_double) {
     }
     result.states += chain.states;
     result.beyond_one += chain.beyond_one;
+    result.negative += chain.negative;
     result.not_finite += chain.not_finite;
     result.largest_degree = std::max(result.largest_degree, chain.largest_degree);
   }
@@ -120,13 +122,14 @@ void print(const Result& r) {
   std::printf(
       "| %s | %s | %.1e | %.1e | %.1e | %.1e | %.2f (%.2f…%.2f) | %+.1e ± %.0e | %.2f (%.2f…%.2f) "
       "| "
-      "%.3g %% | %.1e | %llu |\n",
+      "%.3g %% | %.1e | %llu | %llu |\n",
       kind_names[static_cast<int>(r.kind)], r.is_double ? "double" : "float", r.points[0].error,
       r.points[std::min<std::size_t>(4, r.points.size() - 1)].error, last.error, last.worst,
       r.error.exponent, r.error.low, r.error.high, last.drift, last.drift_error, r.degree.exponent,
       r.degree.low, r.degree.high,
       100 * static_cast<double>(r.beyond_one) / static_cast<double>(r.states),
-      std::max(r.largest_degree - 1, 0.0), static_cast<unsigned long long>(r.not_finite));
+      std::max(r.largest_degree - 1, 0.0), static_cast<unsigned long long>(r.negative),
+      static_cast<unsigned long long>(r.not_finite));
   std::fflush(stdout);
 }
 
@@ -149,6 +152,7 @@ nlohmann::ordered_json to_json(const Result& r) {
           {"states", r.states},
           {"states_with_dop_above_1", r.beyond_one},
           {"largest_dop_excess", std::max(r.largest_degree - 1, 0.0)},
+          {"states_of_negative_intensity", r.negative},
           {"states_not_finite", r.not_finite},
           {"points", points}};
 }
@@ -158,8 +162,8 @@ int run(const Arguments& a) {
   std::printf(
       "| elements | precision | error behind 10 | 1000 | %.0e | largest | grows as n to the | DoP "
       "off by, "
-      "behind %.0e | grows as n to the | DoP above 1 | at most by | not finite |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+      "behind %.0e | grows as n to the | DoP above 1 | at most by | S0 below 0 | not finite |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
       a.longest, a.longest);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Kind kind : {Kind::rotations, Kind::undivided, Kind::retarders, Kind::fresnel,

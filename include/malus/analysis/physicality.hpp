@@ -67,7 +67,8 @@ bool is_physical(const S& s, typename S::scalar_type tolerance) {
 }
 
 /// The four eigenvalues of the coherency matrix of one channel, largest first; their sum is m00.
-/// One alone is positive for a matrix that does not depolarise; a negative one is unphysical.
+/// One alone is positive for a matrix that does not depolarise; a negative one is unphysical. To 16
+/// ulp of the largest, whatever its size.
 template <MuellerType M>
 std::array<typename M::scalar_type, 4> coherency_eigenvalues(const M& m,
                                                              std::size_t channel_index = 0) {

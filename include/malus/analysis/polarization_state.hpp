@@ -22,8 +22,8 @@ T fraction_of(T x, T s0) {
 }
 }  // namespace detail
 
-/// DoP = √(S1² + S2² + S3²)/S0: 0 unpolarised (and no light), 1 fully polarised; more is
-/// unphysical.
+/// DoP = √(S1² + S2² + S3²)/S0: 0 unpolarised (and where S0 ≤ 0), 1 fully polarised; more is
+/// unphysical. To 4 ulp, whatever the size of the light.
 template <StokesType S>
 auto degree_of_polarization(const S& s) {
   return map_channels(
@@ -33,7 +33,7 @@ auto degree_of_polarization(const S& s) {
       s[0], s[1], s[2], s[3]);
 }
 
-/// DoLP = √(S1² + S2²)/S0.
+/// DoLP = √(S1² + S2²)/S0, to 4 ulp; 0 where S0 ≤ 0.
 template <StokesType S>
 auto degree_of_linear_polarization(const S& s) {
   return map_channels(
@@ -41,14 +41,14 @@ auto degree_of_linear_polarization(const S& s) {
       s[0], s[1], s[2]);
 }
 
-/// DoCP = S3/S0: 1 right circular, −1 left circular.
+/// DoCP = S3/S0, to 1 ulp: 1 right circular, −1 left circular; 0 where S0 ≤ 0.
 template <StokesType S>
 auto degree_of_circular_polarization(const S& s) {
   return map_channels([](auto s0, auto s3) { return detail::fraction_of(s3, s0); }, s[0], s[3]);
 }
 
 /// AoLP = ½ atan2(S2, S1) in [0, π), counter-clockwise from x in the receiver's view; 0 where there
-/// is no linear polarisation.
+/// is no linear polarisation. To 2 ulp of π.
 template <StokesType S>
 auto angle_of_linear_polarization(const S& s) {
   return map_channels(
@@ -63,7 +63,7 @@ auto angle_of_linear_polarization(const S& s) {
 }
 
 /// χ in [−π/4, π/4], the ellipticity: tan χ is the ratio of the ellipse's axes, χ > 0 right-handed.
-/// 0 where unpolarised.
+/// 0 where unpolarised. To 4 ulp, whatever the size of the light.
 template <StokesType S>
 auto ellipticity(const S& s) {
   return map_channels(
@@ -74,7 +74,8 @@ auto ellipticity(const S& s) {
       s[1], s[2], s[3]);
 }
 
-/// Light of an intensity, degree of polarisation, orientation ψ and ellipticity χ, in radians.
+/// Light of an intensity, degree of polarisation, orientation ψ and ellipticity χ, in radians;
+/// to 3 ulp of the intensity.
 template <SideTag Side = exitant, SpectralValue V, FrameType F>
 Stokes<V, Side, F> from_ellipse(const V& intensity, scalar_t<V> degree, scalar_t<V> orientation,
                                 scalar_t<V> chi, const F& frame) {

@@ -12,8 +12,8 @@
 
 namespace malus {
 
-/// Transmits the intensity `along_x` of light polarised along x and `along_y` of light along y.
-/// Mirror-symmetric.
+/// Transmits the intensity `along_x` of light polarised along x and `along_y` of light along y,
+/// neither negative; to 2 ulp, whatever their sizes. Mirror-symmetric.
 template <SpectralValue V, FrameType F>
 BlockMueller<V, incident, exitant, F> linear_diattenuator(const V& along_x, const V& along_y,
                                                           const F& frame) {
@@ -34,7 +34,7 @@ auto linear_diattenuator(const V& along_x, const V& along_y, const F& frame, sca
 
 /// The general diattenuator (Lu & Chipman 1996): mean transmittance T and diattenuation vector D =
 /// (D1, D2, D3), |D| ≤ 1. Transmits T(1 + |D|) of light polarised as D and T(1 − |D|) of the
-/// opposite.
+/// opposite. To 2 ulp over √(1 − |D|²); where |D| is above 1 that root is taken for 0.
 template <SpectralValue V, FrameType F>
 FullMueller<V, incident, exitant, F> elliptical_diattenuator(
     const V& transmittance, const std::array<scalar_t<V>, 3>& diattenuation, const F& frame) {

@@ -63,15 +63,16 @@ constexpr FresnelTerms<T> reflection_from_root(T cos_i, T sin2_i, T a, T b) {
 
 }  // namespace detail
 
-/// cos θt of refraction, 0 beyond the critical angle.
+/// cos θt of refraction, to 2 ulp (as below), 0 beyond the critical angle.
 template <std::floating_point T>
 T refracted_cosine(T cos_i, T eta) {
   const T q2 = detail::squared_root_term(cos_i, eta);
   return q2 > 0 ? std::sqrt(q2) / eta : T(0);
 }
 
-/// Reflection at a dielectric of relative index eta > 0, from either side; total where sin θi >
-/// eta.
+/// Reflection at a dielectric of relative index eta, 1e-9…1e9, from either side; total where sin θi
+/// > eta. To 8 ulp of 1 or, where that is more, of what half an ulp of cos_i or eta changes: much
+/// in front of the critical angle. At cos_i = 0 and eta = 1 nothing.
 template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_dielectric(T cos_i, T eta) {
   const T sin2 = (1 - cos_i) * (1 + cos_i);
@@ -81,7 +82,8 @@ constexpr FresnelTerms<T> fresnel_dielectric(T cos_i, T eta) {
 }
 
 /// Reflection at a conductor of relative complex index eta + ik, k ≥ 0; one a channel, all channels
-/// at once.
+/// at once. To 10 ulp (double: 8) as above where eta² + k² is in 1/16…1e16; below, ratios between 0
+/// and 1 without a bound.
 template <SpectralValue V>
 constexpr FresnelTerms<V> fresnel_conductor(scalar_t<V> cos_i, const V& eta, const V& k) {
   using std::sqrt;
@@ -105,7 +107,8 @@ constexpr FresnelTerms<V> fresnel_conductor(scalar_t<V> cos_i, const V& eta, con
   return {rs, scale * minus, -scale * (ac * ac + bc * bc - s2 * s2), -scale * (s2 + s2) * bc};
 }
 
-/// Refraction into a dielectric of relative index eta: the fractions of power transmitted. All zero
+/// Refraction into a dielectric of relative index eta, 1e-9…1e9: the fractions of power
+/// transmitted, to 6 ulp as above. All zero
 /// in total reflection and, but for eta = 1, at cos_i = 0.
 template <std::floating_point T>
 constexpr FresnelTerms<T> fresnel_transmission(T cos_i, T eta) {

@@ -32,12 +32,13 @@ class RayleighScattering {
   /// sides and is not linearly polarised.
   const V& dipoles() const { return dipoles_; }
 
-  /// a1 alone.
+  /// a1 alone, to 3 ulp; cosine in [−1, 1].
   V value(scalar_type cosine) const {
     return V(scalar_type(1)) + (scalar_type(0.75) * cosine * cosine - scalar_type(0.25)) * dipoles_;
   }
 
-  /// At an angle between the directions of propagation before and after, of this cosine.
+  /// At an angle between the directions of propagation before and after, of this cosine in [−1, 1];
+  /// to 5 ulp of the largest.
   ScatteringElements<V> elements(scalar_type cosine) const {
     const V quarters = scalar_type(0.75) * dipoles_;
     const V linear = quarters * (1 + cosine * cosine);

@@ -12,7 +12,8 @@
 
 namespace malus {
 
-/// Q(φ) in the given frame: the fast axis is x, light along y lags by `phase` radians.
+/// Q(φ) in the given frame: the fast axis is x, light along y lags by `phase` radians,
+/// finite; to 2 ulp.
 /// Mirror-symmetric.
 template <SpectralValue V, FrameType F>
 BlockMueller<V, incident, exitant, F> linear_retarder(const V& transmittance, const V& phase,
@@ -33,7 +34,8 @@ auto linear_retarder(const V& transmittance, const V& phase, const F& frame, sca
 
 /// The general retarder: `fast` is the unit vector (S1, S2, S3) of the polarisation that is ahead
 /// of its opposite by `phase`. (1, 0, 0) is Q(φ); (0, 0, 1) makes right circular light the fast one
-/// and so turns the plane of polarisation by −φ/2.
+/// and so turns the plane of polarisation by −φ/2. To 5 ulp; a vector of another length makes no
+/// retarder.
 template <SpectralValue V, FrameType F>
 FullMueller<V, incident, exitant, F> elliptical_retarder(const V& transmittance,
                                                          const std::array<scalar_t<V>, 3>& fast,

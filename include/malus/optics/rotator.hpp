@@ -9,7 +9,8 @@
 
 namespace malus {
 
-/// Turns the plane of polarisation by `angle` radians, counter-clockwise in the receiver's view.
+/// Turns the plane of polarisation by `angle` radians, finite, counter-clockwise in the receiver's
+/// view; to 2 ulp.
 template <SpectralValue V, FrameType F>
 FullMueller<V, incident, exitant, F> rotator(const V& transmittance, const V& angle,
                                              const F& frame) {
