@@ -84,7 +84,7 @@ stage_release() {
 
 stage_clang() {
   check "clang: build" build clang &&
-    run_ctest clang --label-exclude 'package|compile_fail' --exclude-regex '^renderer_tests:'
+    run_ctest clang --label-exclude 'package|compile_fail' --exclude-regex '^(renderer_tests|guard):'
 }
 
 # Without the longest comparisons of pictures, whose code the shorter ones run through as well.
