@@ -119,7 +119,7 @@ renders_without_races() {
   local picture status
   picture=$(mktemp --suffix=.exr)
   TSAN_OPTIONS="exitcode=66 suppressions=$PWD/tests/tsan.supp" build/tsan/examples/malus-render "examples/scenes/$1.xml" -o "$picture" --integrator "$2" \
-    --mode optimized --spp 2 --threads 3 -D resolution=24
+    --mode optimized --spp 8 --threads 3 -D resolution=48
   status=$?
   rm -f "$picture"
   return "$status"
