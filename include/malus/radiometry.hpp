@@ -77,9 +77,19 @@ struct Polarized {
       });
     }
   }
+  /// The same of what isn't a matrix but multiplies light of a form that is a type as one does.
+  template <class F>
+    requires(!MuellerType<F>)
+  MALUS_INLINE static Light scatter(const F& f, const Light& light,
+                                    bool reads_polarization = true) {
+    return detail::with_form(light.form(), [&](auto form) MALUS_INLINE_LAMBDA {
+      const auto result = f * detail::retag_known<Stokes<V, incident, frame, form()>>(light);
+      return reads_polarization ? Light(result) : Light::unpolarized(result.intensity());
+    });
+  }
   /// The same of unpolarised light: the first column alone, with its form as a type if f has it so.
-  template <MuellerForm Form>
-  MALUS_INLINE static auto scatter_unpolarized(const ScatteringAs<Form>& f, const V& intensity) {
+  template <class F>
+  MALUS_INLINE static auto scatter_unpolarized(const F& f, const V& intensity) {
     return f * Stokes<V, incident, frame, StokesForm::unpolarized>::unpolarized(intensity);
   }
   /// The end of a stretch is no vertex: what leaves it is still on its way.

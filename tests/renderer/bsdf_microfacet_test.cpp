@@ -69,9 +69,9 @@ TEST_CASE("bsdf: the matrix of two directions has the value's m00, and is physic
     int lit = 0;
     for (int i = 0; i < 3000; ++i) {
       const Event e(sampler);
-      BsdfSample s;
+      BsdfSampleOf<Polarized> s;
       if (!bsdf.sample(e.hit, e.known, Tracing::from_camera, sampler, s) || s.is_delta) continue;
-      const BsdfValue v = bsdf.value(e.hit, s.direction, e.known);
+      const auto v = bsdf.value<Polarized>(e.hit, s.direction, e.known);
       if (!(v.m00[0] > 0)) continue;
       const Full m = bsdf.scattering<Polarized>(e.hit, s.direction, e.known, v);
       ++lit;
@@ -98,7 +98,7 @@ TEST_CASE(
     const bool conducting = i % 2 == 0;
     const Bsdf& bsdf = conducting ? conductor : dielectric;
     const Event e(sampler);
-    BsdfSample s;
+    BsdfSampleOf<Polarized> s;
     if (!bsdf.sample(e.hit, e.known, Tracing::from_camera, sampler, s)) continue;
     const Vec3 &incident = s.direction, &exitant = e.known;
     const LocalSpace space{e.hit.tangent, glm::cross(e.hit.normal, e.hit.tangent), e.hit.normal};
@@ -109,7 +109,7 @@ TEST_CASE(
     const auto local = [&](const MuellerFrame& f) {
       return MuellerFrame(space.from_world(f.x()), space.from_world(f.y()));
     };
-    const BsdfValue v = bsdf.value(e.hit, incident, exitant);
+    const auto v = bsdf.value<Polarized>(e.hit, incident, exitant);
     const Full world =
         Full(bsdf.scattering<Polarized>(e.hit, incident, exitant, v)).expressed_in(in, out);
     const Full library = Full(conducting ? malus::conductor_facets(facets, wi, wo, gold_eta, gold_k)
@@ -136,12 +136,13 @@ TEST_CASE("bsdf: reversed light takes the transposed matrix, n² weighed") {
     int lit = 0, refracted = 0, polarized = 0;
     for (int i = 0; i < 2000; ++i) {
       const Event e(sampler);
-      BsdfSample s;
+      BsdfSampleOf<Polarized> s;
       if (!bsdf.sample(e.hit, e.known, Tracing::from_light, sampler, s) || s.is_delta) continue;
       const Vec3 &a = e.known, &b = s.direction;
       const float cos_a = glm::dot(e.hit.normal, a), cos_b = glm::dot(e.hit.normal, b);
       if (std::min(std::abs(cos_a), std::abs(cos_b)) < 0.02f) continue;
-      const BsdfValue there = bsdf.value(e.hit, a, b), back = bsdf.value(e.hit, b, a);
+      const auto there = bsdf.value<Polarized>(e.hit, a, b),
+                 back = bsdf.value<Polarized>(e.hit, b, a);
       const auto in = MuellerFrame::toward(-a, Vec3(0.3f, 0.5f, 0.8f));
       const auto out = MuellerFrame::toward(b, Vec3(-0.2f, 0.9f, 0.1f));
       const Full m = Full(bsdf.scattering<Polarized>(e.hit, a, b, there)).expressed_in(in, out);
@@ -176,7 +177,7 @@ TEST_CASE("bsdf: no more light leaves than came, and draws bring as much as ther
         constexpr int samples = 20000;
         double sum = 0, sum2 = 0, mirrored = 0;
         for (int i = 0; i < samples; ++i) {
-          BsdfSample s;
+          BsdfSampleOf<Polarized> s;
           if (!bsdf.sample(e.hit, e.known, tracing, sampler, s)) continue;
           if (s.is_delta) {
             mirrored = static_cast<double>(s.weight[1] * s.pdf);
@@ -196,8 +197,8 @@ TEST_CASE("bsdf: no more light leaves than came, and draws bring as much as ther
                    const Flow flow(e.known, w, tracing);
                    const float n =
                        index_at(bsdf, z) / index_at(bsdf, glm::dot(e.hit.normal, e.known));
-                   return bsdf.value(e.hit, flow.incident, flow.exitant).m00[1] * std::abs(z) *
-                          (tracing == Tracing::from_camera ? n * n : 1.0f);
+                   return bsdf.value<Polarized>(e.hit, flow.incident, flow.exitant).m00[1] *
+                          std::abs(z) * (tracing == Tracing::from_camera ? n * n : 1.0f);
                  },
                  1e-5))
           albedo += part;
@@ -218,7 +219,8 @@ TEST_CASE("bsdf: a white base under a coat that absorbs nothing gives all light 
       double albedo = malus::fresnel_dielectric(c, static_cast<double>(eta)).mean();
       for (const double part : integrate_by_bins(
                [&](float z, float phi) {
-                 return bsdf.value(e.hit, e.direction(z, phi), e.known).m00[0] * std::abs(z);
+                 return bsdf.value<Polarized>(e.hit, e.direction(z, phi), e.known).m00[0] *
+                        std::abs(z);
                },
                1e-6))
         albedo += part;
@@ -239,12 +241,12 @@ TEST_CASE("bsdf: values stay finite from alpha = 0.001 to 1 and at grazing direc
         Event e(sampler);
         e.look_from(theta, 35);
         for (int i = 0; i < 300; ++i) {
-          BsdfSample s;
+          BsdfSampleOf<Polarized> s;
           s.direction =
               e.direction(i % 3 ? 2 * sampler.next_1d() - 1 : 1e-5f, 6 * sampler.next_1d());
           const bool drawn = bsdf.sample(e.hit, e.known, tracing, sampler, s);
           const Flow flow(e.known, s.direction, tracing);
-          const BsdfValue v = bsdf.value(e.hit, flow.incident, flow.exitant);
+          const auto v = bsdf.value<Polarized>(e.hit, flow.incident, flow.exitant);
           const Full m = bsdf.scattering<Polarized>(e.hit, flow.incident, flow.exitant, v);
           bool good = malus::is_finite(v.m00) && malus::is_finite(v.pdf_incident) &&
                       malus::is_finite(v.pdf_exitant) && v.pdf_incident >= 0 &&
@@ -298,7 +300,7 @@ TEST_CASE("bsdf: unpolarised light finds Mitsuba's values") {
     const Vec3 incident = e.known;
     e.look_from(row.theta_o, row.phi_o);
     const Case& c = cases[row.which];
-    const Rgb f = c.named.bsdf.value(e.hit, incident, e.known).m00;
+    const Rgb f = c.named.bsdf.value<Polarized>(e.hit, incident, e.known).m00;
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(std::abs(f[i] - row.value[i]) <= c.tolerance * row.value[i]);
   }
@@ -314,7 +316,7 @@ TEST_CASE("bsdf: polarised light finds Mitsuba's matrices") {
   hit.normal = hit.geometric_normal = Vec3(0, 0, 1);
   for (const MitsubaMatrix& row : mitsuba_matrices) {
     const Bsdf& bsdf = bsdfs[row.which];
-    const BsdfValue v = bsdf.value(hit, row.incident, row.exitant);
+    const auto v = bsdf.value<Polarized>(hit, row.incident, row.exitant);
     const Full m = Full(bsdf.scattering<Polarized>(hit, row.incident, row.exitant, v))
                        .expressed_in(MuellerFrame::from_direction_and_x(-row.incident, row.enter_x),
                                      MuellerFrame::from_direction_and_x(row.exitant, row.exit_x));
@@ -331,7 +333,7 @@ TEST_CASE(
     int reflected = 0, refracted = 0;
     for (int i = 0; i < 3000; ++i) {
       const Event e(sampler);
-      BsdfSample s;
+      BsdfSampleOf<Polarized> s;
       if (!bsdf.sample(e.hit, e.known, Tracing::from_camera, sampler, s)) continue;
       const Vec3 &incident = s.direction, &exitant = e.known;
       const float cos_i = glm::dot(e.hit.normal, incident);
@@ -345,7 +347,7 @@ TEST_CASE(
       const auto frames = specular_frames(h, incident, exitant);
       const auto t =
           refracts ? malus::fresnel_transmission(c, behind) : malus::fresnel_dielectric(c, behind);
-      const BsdfValue v = bsdf.value(e.hit, incident, exitant);
+      const auto v = bsdf.value<Polarized>(e.hit, incident, exitant);
       const Full m = bsdf.scattering<Polarized>(e.hit, incident, exitant, v);
       const Full smooth = malus::fresnel_block<Rgb>(t, frames.enter, frames.exit);
       const Full there = m.expressed_in(frames.enter, frames.exit);
@@ -379,7 +381,7 @@ TEST_CASE("bsdf: the light of a plastic's base is polarised by the coat that it 
         e.look_from(theta_in, 250);
         const Vec3 incident = e.known;
         e.look_from(theta, 35);
-        const BsdfValue v = bsdf.value(e.hit, incident, e.known);
+        const auto v = bsdf.value<Polarized>(e.hit, incident, e.known);
         const auto s_out = glm::normalize(glm::cross(e.hit.normal, e.known));
         const auto s_in =
             glm::normalize(glm::cross(theta_in > 0 ? e.hit.normal : e.hit.tangent, incident));
@@ -408,7 +410,7 @@ TEST_CASE("bsdf: what a plastic's coat mirrors is Fresnel's, whichever way it is
     e.look_from(50, 35);
     int mirrored = 0;
     for (int i = 0; i < 1000; ++i) {
-      BsdfSample s;
+      BsdfSampleOf<Polarized> s;
       REQUIRE(bsdf.sample(e.hit, e.known, tracing, sampler, s));
       if (!s.is_delta) continue;
       ++mirrored;

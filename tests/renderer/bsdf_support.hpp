@@ -102,7 +102,7 @@ struct Event {
 
 inline float drawing_pdf(const Bsdf& bsdf, const Event& e, const Vec3& drawn, Tracing tracing) {
   const Flow flow(e.known, drawn, tracing);
-  const BsdfValue v = bsdf.value(e.hit, flow.incident, flow.exitant);
+  const auto v = bsdf.value<Polarized>(e.hit, flow.incident, flow.exitant);
   return tracing == Tracing::from_camera ? v.pdf_incident : v.pdf_exitant;
 }
 
@@ -165,7 +165,7 @@ inline DrawTest test_draws(const Named& which, const Event& e, Tracing tracing, 
   const Vec3 across = glm::cross(e.hit.normal, e.hit.tangent);
   double discrete = 0, chance = 0;
   for (int i = 0; i < samples; ++i) {
-    BsdfSample s;
+    BsdfSampleOf<Polarized> s;
     if (!which.bsdf.sample(e.hit, e.known, tracing, sampler, s)) {
       ++result.lost;
       continue;
@@ -184,7 +184,7 @@ inline DrawTest test_draws(const Named& which, const Event& e, Tracing tracing, 
     ++counts[static_cast<std::size_t>(row * columns + column)];
 
     const Flow flow(e.known, s.direction, tracing);
-    const BsdfValue v = which.bsdf.value(e.hit, flow.incident, flow.exitant);
+    const auto v = which.bsdf.value<Polarized>(e.hit, flow.incident, flow.exitant);
     const bool camera = tracing == Tracing::from_camera;
     const float pdf = camera ? v.pdf_incident : v.pdf_exitant;
     const float reverse = camera ? v.pdf_exitant : v.pdf_incident;

@@ -69,7 +69,7 @@ TEST_CASE("bsdf: the first component of every weight is the weight of unpolarise
       int drawn = 0;
       for (int i = 0; i < 2000; ++i) {
         const Event e(sampler);
-        BsdfSample s;
+        BsdfSampleOf<Polarized> s;
         if (!bsdf.sample(e.hit, e.known, tracing, sampler, s)) continue;
         ++drawn;
         const Rgb u = bsdf.weight<Unpolarized>(e.hit, e.known, tracing, s);
@@ -89,7 +89,7 @@ TEST_CASE("bsdf: a sheet does to a shadow ray's light what it does to a path's")
       if (!bsdf.is_sheet()) continue;
       CAPTURE(name);
       const Event e(sampler);
-      BsdfSample s;
+      BsdfSampleOf<Polarized> s;
       REQUIRE(bsdf.sample(e.hit, e.known, tracing, sampler, s));
       CHECK(s.direction == -e.known);
       const auto a = bsdf.weight<Polarized>(e.hit, e.known, tracing, s);
@@ -109,7 +109,7 @@ TEST_CASE(
   for (int i = 0; i < 4000; ++i) {
     const Tracing tracing = both_tracings[i % 2];
     const Event e(sampler);
-    BsdfSample s;
+    BsdfSampleOf<Polarized> s;
     if (!bsdf.sample(e.hit, e.known, tracing, sampler, s)) continue;
     using Complex = std::complex<double>;
     const double cos_signed = static_cast<double>(glm::dot(e.hit.normal, e.known));
@@ -150,14 +150,15 @@ TEST_CASE("bsdf: what is not a front reflects nothing, and a twosided material f
   hit.normal = hit.geometric_normal = Vec3(0, 0, 1);
   hit.tangent = Vec3(1, 0, 0);
   const Vec3 below = glm::normalize(Vec3(0.3f, 0.2f, -1));
-  BsdfSample s;
+  BsdfSampleOf<Polarized> s;
   for (const auto& [name, bsdf, roughness] : smooth_kinds({0.2f})) {
     if (std::holds_alternative<RoughDielectric>(bsdf.kind())) continue;
     CAPTURE(name);
     for (const Tracing tracing : both_tracings)
       CHECK_FALSE(bsdf.sample(hit, below, tracing, sampler, s));
     for (const Vec3& other : {below, -below})
-      for (const BsdfValue& v : {bsdf.value(hit, below, other), bsdf.value(hit, other, below)}) {
+      for (const BsdfValue& v :
+           {bsdf.value<Polarized>(hit, below, other), bsdf.value<Polarized>(hit, other, below)}) {
         CHECK(v.pdf_incident == 0);
         CHECK(v.pdf_exitant == 0);
         CHECK(v.m00[0] == 0);

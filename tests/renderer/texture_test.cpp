@@ -45,7 +45,8 @@ double seen(const std::string& shape, const Vec3& from, const Vec3& at) {
   const auto scene = build(some_meter + shape);
   Hit hit = hit_of(scene, from, at);
   const renderer::Bsdf& surface = scene.shapes[hit.shape].material.facing(hit, from - at);
-  const Rgb value = surface.value(hit, hit.normal, glm::normalize(from - at)).m00;
+  const Rgb value =
+      surface.value<malus::Unpolarized<Rgb>>(hit, hit.normal, glm::normalize(from - at)).m00;
   return static_cast<double>(value[0]) * pi;
 }
 

@@ -19,6 +19,15 @@ namespace renderer {
 template <class B>
 inline constexpr bool is_sheet_kind = std::derived_from<B, StraightThrough<B>>;
 
+/// As a flagged matrix, whatever type a kind's scattering has.
+template <class R, class F>
+typename R::Scattering as_scattering(const F& f) {
+  if constexpr (std::same_as<F, CoatOverBase>)
+    return PlasticMueller(f);
+  else
+    return f;
+}
+
 class Bsdf {
  public:
   using Kind = std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric,
@@ -53,9 +62,11 @@ class Bsdf {
     return result;
   }
 
-  /// Draws the direction that isn't known, by m00; false where no light is scattered.
+  /// Draws the direction that isn't known, by m00; false where no light is scattered. The result
+  /// is a BsdfSampleOf<R> for the weight<R>() that it is drawn for.
+  template <std::derived_from<BsdfSample> Sample>
   bool sample(const SurfacePoint& point, const Vec3& known, Tracing tracing, Sampler& sampler,
-              BsdfSample& result) const {
+              Sample& result) const {
     return std::visit(
         [&](const auto& b) { return b.sample(point, known, tracing, sampler, result); }, kind_);
   }
@@ -64,8 +75,8 @@ class Bsdf {
   /// m00 is the sample's weight, times the factor.
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& point, const Vec3& known,
-                                          Tracing tracing, const BsdfSample& sample, float factor,
-                                          Use&& use) const {
+                                          Tracing tracing, const BsdfSampleOf<R>& sample,
+                                          float factor, Use&& use) const {
     if constexpr (!R::polarized) {
       return use(sample.weight * factor);
     } else {
@@ -79,14 +90,18 @@ class Bsdf {
   }
 
   /// The BSDF for unpolarised light, without the cosine, and the densities of sample(); all 0 of
-  /// delta distributions.
-  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+  /// delta distributions. Of a family of radiometry, for its scattering<R>().
+  template <class R>
+  BsdfValueOf<R> value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+    using Value = BsdfValueOf<R>;
     return std::visit(
-        [&]<class B>(const B& b) -> BsdfValue {
+        [&]<class B>(const B& b) -> Value {
           if constexpr (B::is_delta)
-            return {};
+            return Value();
+          else if constexpr (requires { b.template value<Value>(point, incident, exitant); })
+            return b.template value<Value>(point, incident, exitant);
           else
-            return b.value(point, incident, exitant);
+            return Value(b.value(point, incident, exitant));
         },
         kind_);
   }
@@ -95,7 +110,7 @@ class Bsdf {
   /// has; nothing of delta distributions. Its m00 is the value's.
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& point, const Vec3& incident,
-                                              const Vec3& exitant, const BsdfValue& value,
+                                              const Vec3& exitant, const BsdfValueOf<R>& value,
                                               Use&& use) const {
     if constexpr (!R::polarized) {
       return use(value.m00);
@@ -116,15 +131,15 @@ class Bsdf {
 
   template <class R>
   typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                                const BsdfSample& sample) const {
+                                const BsdfSampleOf<R>& sample) const {
     return with_weight<R>(point, known, tracing, sample, 1,
-                          [](const auto& f) -> typename R::Scattering { return f; });
+                          [](const auto& f) { return as_scattering<R>(f); });
   }
   template <class R>
   typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
-                                    const Vec3& exitant, const BsdfValue& value) const {
+                                    const Vec3& exitant, const BsdfValueOf<R>& value) const {
     return with_scattering<R>(point, incident, exitant, value,
-                              [](const auto& f) -> typename R::Scattering { return f; });
+                              [](const auto& f) { return as_scattering<R>(f); });
   }
 
   /// What a sheet does to light that passes along a direction.

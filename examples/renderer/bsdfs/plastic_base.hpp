@@ -41,10 +41,10 @@ inline MuellerFrame frame_of_incidence(const Vec3& normal, const Vec3& propagati
 /// T_out · D · T_in, D = diag(base, 0, 0, 0): the outer product of the first column of T_out and
 /// the first row of T_in.
 inline auto base_matrix(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
-                        const malus::FresnelTerms<float>& in, const malus::FresnelTerms<float>& out,
+                        const InterfaceTerms::Passage& in, const InterfaceTerms::Passage& out,
                         const Rgb& base) {
-  const float in_0 = in.mean(), in_1 = in.half_difference();
-  const float out_0 = out.mean(), out_1 = out.half_difference();
+  const auto [in_0, in_1] = in;
+  const auto [out_0, out_1] = out;
   const Rgb none(0.0f);
   return malus::BlockMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>::block(
       {base * (out_0 * in_0), base * (out_0 * in_1), base * (out_1 * in_0), base * (out_1 * in_1)},
@@ -59,8 +59,8 @@ struct BasePolarization {
   float column[3], row[3];
 
   MALUS_INLINE BasePolarization(const Vec3& normal, const Vec3& incident, const Vec3& exitant,
-                                const malus::FresnelTerms<float>& in,
-                                const malus::FresnelTerms<float>& out) {
+                                const InterfaceTerms::Passage& in,
+                                const InterfaceTerms::Passage& out) {
     // The facet's x is o × i on both sides, the base's is i × n and n × o. The angles between them
     // need no axes: (o × i)·(i × n) = (i·n)(i·o) − n·o, (n × o)·(o × i) = (i·o)(n·o) − i·n, and the
     // sines are the volume of the three directions, n·(i × o), with opposite signs.
@@ -69,27 +69,62 @@ struct BasePolarization {
     const float cos_i = glm::dot(incident, normal), cos_o = glm::dot(exitant, normal);
     const auto enter = malus::rotation_by(between * cos_i - cos_o, volume);
     const auto exit = malus::rotation_by(between * cos_o - cos_i, -volume);
-    const float in_1 = in.half_difference(), out_1 = out.half_difference();
-    row[0] = in.mean(), row[1] = enter.cos2 * in_1, row[2] = enter.sin2 * in_1;
-    column[0] = out.mean(), column[1] = exit.cos2 * out_1, column[2] = -exit.sin2 * out_1;
+    row[0] = in.mean;
+    row[1] = enter.cos2 * in.half_difference, row[2] = enter.sin2 * in.half_difference;
+    column[0] = out.mean;
+    column[1] = exit.cos2 * out.half_difference, column[2] = -exit.sin2 * out.half_difference;
   }
 };
 
 using PlasticMueller = malus::FullMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>;
 
-/// A facet's block, times `coat`, over a base, in the facet's frames.
-MALUS_INLINE PlasticMueller coat_over_base(const malus::FresnelTerms<float>& terms, const Rgb& coat,
-                                           const malus::FramePair<float>& facet,
-                                           const BasePolarization& polarization, const Rgb& base) {
-  const auto& [o, i] = polarization;
-  const Rgb sum = coat * terms.mean(), difference = coat * terms.half_difference();
-  const Rgb re = coat * terms.re, im = coat * terms.im, none(0.0f);
-  const Rgb b0 = base * o[0], b1 = base * o[1], b2 = base * o[2];
-  return PlasticMueller::from_rows({{{sum + b0 * i[0], difference + b0 * i[1], b0 * i[2], none},
-                                     {difference + b1 * i[0], sum + b1 * i[1], b1 * i[2], none},
-                                     {b2 * i[0], b2 * i[1], re + b2 * i[2], im},
-                                     {none, none, -im, re}}},
-                                   facet.enter, facet.exit);
-}
+/// A facet's block, times `coat`, over a base, in the facet's frames: what a full matrix is made
+/// of. Light that it is applied to needs no matrix: a base is a row and a column.
+struct CoatOverBase {
+  malus::FresnelTerms<float> terms;
+  Rgb coat;
+  malus::FramePair<float> facet;
+  BasePolarization polarization;
+  Rgb base;
+
+  static constexpr malus::MuellerForm form() { return malus::MuellerForm::full; }
+
+  MALUS_INLINE operator PlasticMueller() const {
+    const auto& [o, i] = polarization;
+    const Rgb sum = coat * terms.mean(), difference = coat * terms.half_difference();
+    const Rgb re = coat * terms.re, im = coat * terms.im, none(0.0f);
+    const Rgb b0 = base * o[0], b1 = base * o[1], b2 = base * o[2];
+    return PlasticMueller::from_rows({{{sum + b0 * i[0], difference + b0 * i[1], b0 * i[2], none},
+                                       {difference + b1 * i[0], sum + b1 * i[1], b1 * i[2], none},
+                                       {b2 * i[0], b2 * i[1], re + b2 * i[2], im},
+                                       {none, none, -im, re}}},
+                                     facet.enter, facet.exit);
+  }
+
+  /// The matrix times light.
+  template <malus::StokesForm Form>
+  MALUS_INLINE friend auto operator*(
+      const CoatOverBase& m, const malus::Stokes<Rgb, malus::incident, MuellerFrame, Form>& light) {
+    using Result = malus::Stokes<Rgb, malus::exitant, MuellerFrame, malus::StokesForm::full>;
+    const auto& [o, i] = m.polarization;
+    const malus::FresnelTerms<float>& f = m.terms;
+    const Rgb s0 = light.intensity();
+    if constexpr (Form != malus::StokesForm::full) {
+      const Rgb specular = m.coat * s0, diffuse = m.base * s0 * i[0];
+      return Result(specular * f.mean() + diffuse * o[0],
+                    specular * f.half_difference() + diffuse * o[1], diffuse * o[2], Rgb(0.0f),
+                    m.facet.exit);
+    } else {
+      Rgb s1 = light[1], s2 = light[2];
+      rotate(rotation(light.frame(), m.facet.enter, "CoatOverBase * Stokes"), s1, s2);
+      const Rgb s3 = light[3];
+      const Rgb diffuse = m.base * (i[0] * s0 + i[1] * s1 + i[2] * s2);
+      return Result(m.coat * (f.mean() * s0 + f.half_difference() * s1) + diffuse * o[0],
+                    m.coat * (f.half_difference() * s0 + f.mean() * s1) + diffuse * o[1],
+                    m.coat * (f.re * s2 + f.im * s3) + diffuse * o[2],
+                    m.coat * (f.re * s3 - f.im * s2), m.facet.exit);
+    }
+  }
+};
 
 }  // namespace renderer

@@ -20,8 +20,11 @@ struct PolarizedPlastic {
   static constexpr bool polarizes = true;
   bool needs_tangent() const { return !facets.is_isotropic(); }
 
+  template <class Sample>
   bool sample(const SurfacePoint& point, const Vec3& known, Tracing tracing, Sampler& sampler,
-              BsdfSample& result) const {
+              Sample& result) const {
+    constexpr bool keeps = std::is_same_v<Sample, PolarizedBsdfSample>;
+    using Value = std::conditional_t<keeps, PolarizedBsdfValue, BsdfValue>;
     const float choice = sampler.next_1d();
     const Vec2 u = sampler.next_2d();
     const LocalSpace space = facets.space(point);
@@ -34,7 +37,7 @@ struct PolarizedPlastic {
     if (to.z <= 0) return false;
     result.direction = space.to_world(to);
     const Flow flow(known, result.direction, tracing);
-    const BsdfValue v = value(point, flow.incident, flow.exitant);
+    const auto v = value<Value>(point, flow.incident, flow.exitant);
     const bool from_camera = tracing == Tracing::from_camera;
     result.pdf = from_camera ? v.pdf_incident : v.pdf_exitant;
     result.reverse_pdf = from_camera ? v.pdf_exitant : v.pdf_incident;
@@ -42,39 +45,45 @@ struct PolarizedPlastic {
     const float factor = glm::dot(point.normal, result.direction) / result.pdf;
     result.weight = v.m00 * factor;
     result.lobe = v.lobe * factor;
+    if constexpr (keeps) result.terms = v.terms;
     return true;
   }
 
-  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+  template <class Value>
+  Value value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
     const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
     if (cos_i <= 0 || cos_o <= 0) return {};
     const auto lobe = facets.reflection(point, incident, exitant);
     const Rgb coat = specular_reflectance(point), base = diffuse_reflectance(point);
-    const float in = transmission(cos_i).mean(), out = transmission(cos_o).mean();
-    const float reflectance = malus::fresnel_dielectric(lobe.cosine, eta).mean();
+    const InterfaceTerms terms{malus::fresnel_dielectric(lobe.cosine, eta),
+                               InterfaceTerms::passage(transmission(cos_i)),
+                               InterfaceTerms::passage(transmission(cos_o))};
+    const float in = terms.in.mean, out = terms.out.mean;
     const float share_i = coat_share(1 - out, coat, base), share_o = coat_share(1 - in, coat, base);
     const Rgb scale = coat * lobe.value;
-    return {scale * reflectance + base * (in * out / pi),
-            share_i * lobe.pdf_i + (1 - share_i) * cos_i / pi,
-            share_o * lobe.pdf_o + (1 - share_o) * cos_o / pi, scale};
+    return with_terms<Value>({scale * terms.facet.mean() + base * (in * out / pi),
+                              share_i * lobe.pdf_i + (1 - share_i) * cos_i / pi,
+                              share_o * lobe.pdf_o + (1 - share_o) * cos_o / pi, scale},
+                             terms);
   }
 
   template <class R>
   MALUS_INLINE auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                               const BsdfValue& value) const {
+                               const BsdfValueOf<R>& value) const {
     if constexpr (R::polarized)
-      return matrix(point, incident, exitant, value.lobe, diffuse_reflectance(point) * (1 / pi));
+      return matrix(point, incident, exitant, value.terms, value.lobe,
+                    diffuse_reflectance(point) * (1 / pi));
     else
       return value.m00;
   }
 
   template <class R>
   MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                           const BsdfSample& sample, float factor) const {
+                           const BsdfSampleOf<R>& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
       const float share = glm::dot(point.normal, sample.direction) * factor / (pi * sample.pdf);
-      return matrix(point, flow.incident, flow.exitant, sample.lobe * factor,
+      return matrix(point, flow.incident, flow.exitant, sample.terms, sample.lobe * factor,
                     diffuse_reflectance(point) * share);
     } else {
       return sample.weight * factor;
@@ -83,14 +92,11 @@ struct PolarizedPlastic {
 
  private:
   /// The sum of coat and base in the frames of the coat's facet.
-  MALUS_INLINE PlasticMueller matrix(const SurfacePoint& point, const Vec3& incident,
-                                     const Vec3& exitant, const Rgb& coat, const Rgb& base) const {
-    const Vec3& n = point.normal;
-    const auto frames = facet_frames(incident, exitant);
-    const BasePolarization polarization(n, incident, exitant, transmission(glm::dot(n, incident)),
-                                        transmission(glm::dot(n, exitant)));
-    return coat_over_base(malus::fresnel_dielectric(reflected_cosine(incident, exitant), eta), coat,
-                          frames, polarization, base);
+  MALUS_INLINE static CoatOverBase matrix(const SurfacePoint& point, const Vec3& incident,
+                                          const Vec3& exitant, const InterfaceTerms& terms,
+                                          const Rgb& coat, const Rgb& base) {
+    return {terms.facet, coat, facet_frames(incident, exitant),
+            BasePolarization(point.normal, incident, exitant, terms.in, terms.out), base};
   }
 
   malus::FresnelTerms<float> transmission(float c) const {

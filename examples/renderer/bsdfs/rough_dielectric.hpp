@@ -41,23 +41,26 @@ struct RoughDielectric {
     return true;
   }
 
-  BsdfValue value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+  template <class Value>
+  Value value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
     const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
     const bool reflects = cos_i * cos_o > 0;
     const float behind = index_behind(cos_i);
     const auto lobe = reflects ? reflection(point, incident, exitant, cos_i < 0)
                                : facets.refraction(point, incident, exitant, 1 / behind);
     if (lobe.value <= 0) return {};
-    const float share = terms(reflects, lobe.cosine, behind).mean();
+    const auto fresnel = terms(reflects, lobe.cosine, behind);
+    const float share = fresnel.mean();
     const Rgb scale = (reflects ? specular_reflectance : specular_transmittance)(point)*lobe.value;
-    return {scale * share, lobe.pdf_i * share, lobe.pdf_o * share, scale};
+    return with_terms<Value>({scale * share, lobe.pdf_i * share, lobe.pdf_o * share, scale},
+                             {fresnel, {}, {}});
   }
 
   template <class R>
-  MALUS_INLINE auto scattering(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                               const BsdfValue& value) const {
+  MALUS_INLINE auto scattering(const SurfacePoint&, const Vec3& incident, const Vec3& exitant,
+                               const BsdfValueOf<R>& value) const {
     if constexpr (R::polarized)
-      return block(point, incident, exitant, value.lobe);
+      return block(value.terms.facet, incident, exitant, value.lobe);
     else
       return value.m00;
   }
@@ -67,9 +70,10 @@ struct RoughDielectric {
                            const BsdfSample& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
-      const auto fresnel = block(point, flow.incident, flow.exitant, Rgb(1.0f));
-      const float share = fresnel.m00()[0];
-      return fresnel * (share > 0 ? sample.weight * (factor / share) : Rgb(0.0f));
+      const auto fresnel = facet_terms(point, flow.incident, flow.exitant);
+      const float share = fresnel.mean();
+      return block(fresnel, flow.incident, flow.exitant,
+                   share > 0 ? sample.weight * (factor / share) : Rgb(0.0f));
     } else {
       return sample.weight * factor;
     }
@@ -127,10 +131,8 @@ struct RoughDielectric {
     return true;
   }
 
-  /// The facet's Fresnel block, scaled.
-  MALUS_INLINE FacetMueller block(const SurfacePoint& point, const Vec3& incident,
-                                  const Vec3& exitant, const Rgb& scale) const {
-    const auto frames = facet_frames(incident, exitant);
+  malus::FresnelTerms<float> facet_terms(const SurfacePoint& point, const Vec3& incident,
+                                         const Vec3& exitant) const {
     const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
     const float behind = index_behind(cos_i);
     const bool reflects = cos_i * cos_o > 0;
@@ -140,8 +142,15 @@ struct RoughDielectric {
       const Vec3& thinner = behind > 1 ? incident : exitant;
       cosine = std::min(std::abs(glm::dot(thinner, h)) / glm::length(h), 1.0f);
     }
-    return malus::fresnel_block<Rgb>(terms(reflects, cosine, behind), frames.enter, frames.exit) *
-           scale;
+    return terms(reflects, cosine, behind);
+  }
+
+  /// The facet's Fresnel block, scaled.
+  MALUS_INLINE static FacetMueller block(const malus::FresnelTerms<float>& fresnel,
+                                         const Vec3& incident, const Vec3& exitant,
+                                         const Rgb& scale) {
+    const auto frames = facet_frames(incident, exitant);
+    return malus::fresnel_block<Rgb>(fresnel, frames.enter, frames.exit) * scale;
   }
 };
 

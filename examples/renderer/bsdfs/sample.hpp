@@ -7,6 +7,7 @@
 #pragma once
 
 #include <malus/malus.hpp>
+#include <type_traits>
 
 #include "../core/sampler.hpp"
 #include "../geometry/hit.hpp"
@@ -39,6 +40,53 @@ struct BsdfSample {
   float likelihood = 1;
   Rgb lobe{0.0f};  ///< what the BSDF's own weight() can use again
 };
+
+/// What a matrix is made of and its m00 is found by, of kinds with interfaces: kept, so that it is
+/// not found twice.
+struct InterfaceTerms {
+  malus::FresnelTerms<float> facet;  ///< of a facet that reflects or refracts
+  /// Of refraction into a coat and out of it: the first row of the one, the first column of the
+  /// other.
+  struct Passage {
+    float mean, half_difference;
+  } in, out;
+
+  static Passage passage(const malus::FresnelTerms<float>& terms) {
+    return {terms.mean(), terms.half_difference()};
+  }
+};
+
+// Where polarisation is followed, values and samples hold such terms, too. Kinds that keep none
+// leave them as they are.
+
+struct PolarizedBsdfValue : BsdfValue {
+  InterfaceTerms terms;
+
+  PolarizedBsdfValue() {}  // NOLINT: a defaulted one would set the terms to zero
+  explicit PolarizedBsdfValue(const BsdfValue& value) : BsdfValue(value) {}
+  PolarizedBsdfValue(const BsdfValue& value, const InterfaceTerms& t)
+      : BsdfValue(value), terms(t) {}
+};
+struct PolarizedBsdfSample : BsdfSample {
+  InterfaceTerms terms;
+
+  PolarizedBsdfSample() {}  // NOLINT: the same
+};
+
+/// By families of radiometry.
+template <class R>
+using BsdfValueOf = std::conditional_t<R::polarized, PolarizedBsdfValue, BsdfValue>;
+template <class R>
+using BsdfSampleOf = std::conditional_t<R::polarized, PolarizedBsdfSample, BsdfSample>;
+
+/// A value with terms, if there is room for them.
+template <class Value>
+MALUS_INLINE Value with_terms(const BsdfValue& value, const InterfaceTerms& terms) {
+  if constexpr (std::is_same_v<Value, PolarizedBsdfValue>)
+    return {value, terms};
+  else
+    return value;
+}
 
 /// The two directions of a scattering, one known and one drawn, as light has them.
 struct Flow {

@@ -58,7 +58,7 @@ class BidirectionalIntegrator {
     if constexpr (M::present)
       if (techniques_.lens_alone) lens_.connect_glow(sampler, iteration.light_paths, splats);
     subpath_.trace(sampler, f, [&](const LightVertex<R, M>& v) {
-      const auto weigh = [&](float camera_pdf, const BsdfValue& value) {
+      const auto weigh = [&](float camera_pdf, const auto& value) {
         if (techniques_.lens_alone) return 1.0f;
         const float merge = f.merge(v.scatterer.is_medium());
         const float light_side =
@@ -160,7 +160,7 @@ class BidirectionalIntegrator {
         if (techniques_.merge) merge(v);
       }
 
-      BsdfSample sample;
+      BsdfSampleOf<R> sample;
       if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera, path_.polarization(), sampler,
                               sample))
         return;
@@ -238,7 +238,7 @@ class BidirectionalIntegrator {
     if (!scene_.sample_light(v.hit.position, sampler, light)) return;
     if (!selects_or_all({1, v.number})) return;
     if (!v.scatterer.sides_agree(v.hit, light.direction)) return;
-    const BsdfValue value = v.scatterer.value(v.hit, light.direction, v.exitant);
+    const auto value = v.scatterer.template value<R>(v.hit, light.direction, v.exitant);
     if (malus::max_channel(value.m00) <= 0) return;
     if (!visibility_.open(v.hit.leave_for(light.position, light.direction), v.hit.position,
                           light.position, sheets_left(v.edges + 1), way_.towards(light.direction),
@@ -268,9 +268,9 @@ class BidirectionalIntegrator {
     const Vec3 to_light = way / std::sqrt(distance2), to_camera = -to_light;
     if (!z.scatterer.sides_agree(z.hit, to_light)) return;
     if (!y.scatterer.sides_agree(y.point, to_camera)) return;
-    const BsdfValue at_z = z.scatterer.value(z.hit, to_light, z.exitant);
+    const auto at_z = z.scatterer.template value<R>(z.hit, to_light, z.exitant);
     if (malus::max_channel(at_z.m00) <= 0) return;
-    const BsdfValue at_y = y.scatterer.value(y.point, y.incident, to_camera);
+    const auto at_y = y.scatterer.template value<R>(y.point, y.incident, to_camera);
     if (malus::max_channel(at_y.m00) <= 0) return;
     if (!visibility_.open(z.hit.leave_for(y.point, to_light), z.hit.position, y.point.position,
                           sheets, way_.towards(to_light), sampler))
@@ -288,9 +288,9 @@ class BidirectionalIntegrator {
                               z.mis.connected(at_z.pdf_exitant, z.merge);
     const float w = weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
     const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
-    const auto arriving =
-        visibility_.through(scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light));
-    path_.deposit(z.hit, to_light, z.exitant, z.scatterer, at_z, arriving * (geometry * w));
+    const auto arriving = visibility_.through(
+        scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light), geometry * w);
+    path_.deposit(z.hit, to_light, z.exitant, z.scatterer, at_z, arriving);
   }
 
   /// Density estimation: the photons near the vertex, each scattered from where it came.
@@ -305,7 +305,7 @@ class BidirectionalIntegrator {
       // A photon on the other side, or on a wall across a corner, is not here.
       if (!in_medium && glm::dot(photon.geometric_normal, v.hit.geometric_normal) < 0.5f) return;
       if (!v.scatterer.sides_agree(v.hit, photon.incident)) return;
-      const BsdfValue value = v.scatterer.value(v.hit, photon.incident, v.exitant);
+      const auto value = v.scatterer.template value<R>(v.hit, photon.incident, v.exitant);
       if (malus::max_channel(value.m00) <= 0) return;
       ++counters_.merges;
       float w = normalization * incident_correction(v.scatterer, v.hit, photon.incident);

@@ -35,7 +35,8 @@ class CameraPath {
 
   /// The path goes on from a vertex in a drawn direction.
   MALUS_INLINE void scatter(const SurfacePoint& point, const Vec3& exitant,
-                            const Scatterer<M>& scatterer, const BsdfSample& sample, float factor) {
+                            const Scatterer<M>& scatterer, const BsdfSampleOf<R>& sample,
+                            float factor) {
     if constexpr (!R::polarized) {
       sum_.scatter(sample.weight * factor);
     } else {
@@ -89,7 +90,7 @@ class CameraPath {
   /// known. Of unpolarised light no more than the matrix's first column is made, and where the
   /// vertex before depolarises no more than m00.
   MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
-                            const Scatterer<M>& scatterer, const BsdfValue& value,
+                            const Scatterer<M>& scatterer, const BsdfValueOf<R>& value,
                             const typename R::Light& light) {
     catch_up();
     if constexpr (R::defers) {
@@ -150,7 +151,7 @@ class CameraPath {
     SurfacePoint point;
     Vec3 exitant;
     Scatterer<M> scatterer;
-    BsdfSample sample;
+    BsdfSampleOf<R> sample;
     float factor;
     bool is_attenuated;
     Rgb attenuation;  ///< of the way on, if it is
@@ -160,7 +161,8 @@ class CameraPath {
   };
 
   MALUS_INLINE void defer(const SurfacePoint& point, const Vec3& exitant,
-                          const Scatterer<M>& scatterer, const BsdfSample& sample, float factor) {
+                          const Scatterer<M>& scatterer, const BsdfSampleOf<R>& sample,
+                          float factor) {
     Scattered& s = pending_.emplace_back();
     s.point = point;
     s.exitant = exitant;
@@ -186,11 +188,14 @@ class CameraPath {
   }
 
   void make(const SurfacePoint& point, const Vec3& exitant, const Scatterer<M>& scatterer,
-            const BsdfSample& sample, float factor) {
+            const BsdfSampleOf<R>& sample, float factor) {
     scatterer.template with_weight<R>(point, exitant, Tracing::from_camera, sample, factor,
                                       [&](const auto& f) MALUS_INLINE_LAMBDA {
                                         counters_.count(f);
-                                        sum_.scatter(f);
+                                        if constexpr (requires { sum_.scatter(f); })
+                                          sum_.scatter(f);
+                                        else
+                                          sum_.scatter(PlasticMueller(f));
                                       });
   }
 

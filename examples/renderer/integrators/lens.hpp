@@ -37,7 +37,7 @@ class Lens {
     if (seen.distance < seen.near || seen.distance > seen.far) return;
     const Vec3 exitant = -seen.direction;
     if (!v.scatterer.sides_agree(v.point, exitant)) return;
-    const BsdfValue value = v.scatterer.value(v.point, v.incident, exitant);
+    const auto value = v.scatterer.template value<R>(v.point, v.incident, exitant);
     if (malus::max_channel(value.m00) <= 0) return;
     if (!open(seen, sheets_left(v.edges), sampler)) return;
 

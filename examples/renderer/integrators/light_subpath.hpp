@@ -107,7 +107,7 @@ class LightSubpath {
         visit(LightVertex<R, M>{hit, incident, scatterer, light, mis, edges, vertex});
       }
 
-      BsdfSample sample;
+      BsdfSampleOf<R> sample;
       const auto polarization = carried_polarization<R, M>(light, scene_);
       if (!scatterer.sample(hit, incident, Tracing::from_light, polarization, sampler, sample))
         return;

@@ -78,7 +78,7 @@ class PathIntegrator {
       if (!scatterer.sides_agree(hit, exitant)) return;
       if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
-      BsdfSample sample;
+      BsdfSampleOf<R> sample;
       if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(), sampler,
                             sample))
         return;
@@ -126,7 +126,7 @@ class PathIntegrator {
     LightSample light;
     if (!scene_.sample_light(hit.position, sampler, light)) return;
     if (!scatterer.sides_agree(hit, light.direction)) return;
-    const BsdfValue value = scatterer.value(hit, light.direction, exitant);
+    const auto value = scatterer.template value<R>(hit, light.direction, exitant);
     if (malus::max_channel(value.m00) <= 0) return;
     if (!visibility_.open(hit.leave_for(light.position, light.direction), hit.position,
                           light.position, sheets_left(depth), way_.towards(light.direction),

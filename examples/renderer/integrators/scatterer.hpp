@@ -50,21 +50,24 @@ class Scatterer<NoMedia> {
     return std::abs(glm::dot(p.geometric_normal, w));
   }
 
+  template <class Sample>
   bool sample(const SurfacePoint& p, const Vec3& known, Tracing tracing, NoMedia::Polarization,
-              Sampler& sampler, BsdfSample& result) const {
+              Sampler& sampler, Sample& result) const {
     return bsdf_->sample(p, known, tracing, sampler, result);
   }
-  BsdfValue value(const SurfacePoint& p, const Vec3& incident, const Vec3& exitant) const {
-    return bsdf_->value(p, incident, exitant);
+  template <class R>
+  BsdfValueOf<R> value(const SurfacePoint& p, const Vec3& incident, const Vec3& exitant) const {
+    return bsdf_->value<R>(p, incident, exitant);
   }
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
-                                          const BsdfSample& sample, float factor, Use&& use) const {
+                                          const BsdfSampleOf<R>& sample, float factor,
+                                          Use&& use) const {
     return bsdf_->with_weight<R>(p, known, tracing, sample, factor, use);
   }
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& p, const Vec3& incident,
-                                              const Vec3& exitant, const BsdfValue& value,
+                                              const Vec3& exitant, const BsdfValueOf<R>& value,
                                               Use&& use) const {
     return bsdf_->with_scattering<R>(p, incident, exitant, value, use);
   }
@@ -100,23 +103,26 @@ class Scatterer<WithMedia> {
   }
 
   /// `polarization` is that of what the path carries.
+  template <class Sample>
   bool sample(const SurfacePoint& p, const Vec3& known, Tracing tracing,
-              const LinearPolarization& polarization, Sampler& sampler, BsdfSample& result) const {
+              const LinearPolarization& polarization, Sampler& sampler, Sample& result) const {
     if (!is_medium()) return bsdf_->sample(p, known, tracing, sampler, result);
     medium_->phase().sample(known, polarization, sampler, result);
     result.weight *= medium_->scattering(p.position);
     return true;
   }
-  BsdfValue value(const SurfacePoint& p, const Vec3& incident, const Vec3& exitant) const {
-    if (!is_medium()) return bsdf_->value(p, incident, exitant);
-    BsdfValue result = medium_->phase().value(incident, exitant);
+  template <class R>
+  BsdfValueOf<R> value(const SurfacePoint& p, const Vec3& incident, const Vec3& exitant) const {
+    if (!is_medium()) return bsdf_->value<R>(p, incident, exitant);
+    BsdfValueOf<R> result(medium_->phase().value(incident, exitant));
     result.lobe = medium_->scattering(p.position);
     result.m00 *= result.lobe;
     return result;
   }
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_weight(const SurfacePoint& p, const Vec3& known, Tracing tracing,
-                                          const BsdfSample& sample, float factor, Use&& use) const {
+                                          const BsdfSampleOf<R>& sample, float factor,
+                                          Use&& use) const {
     if constexpr (!R::polarized) {
       return use(sample.weight * factor);
     } else {
@@ -131,7 +137,7 @@ class Scatterer<WithMedia> {
   }
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& p, const Vec3& incident,
-                                              const Vec3& exitant, const BsdfValue& value,
+                                              const Vec3& exitant, const BsdfValueOf<R>& value,
                                               Use&& use) const {
     if constexpr (!R::polarized) {
       return use(value.m00);
@@ -152,7 +158,7 @@ class Scatterer<WithMedia> {
 /// is depolarised next, no more is made of it than its intensity.
 template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
-                          const Vec3& incident, const Vec3& exitant, const BsdfValue& value,
+                          const Vec3& incident, const Vec3& exitant, const BsdfValueOf<R>& value,
                           const typename R::Light& light, bool reads_polarization = true) {
   if constexpr (!R::polarized) {
     return value.m00 * light;
@@ -168,7 +174,7 @@ typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
 /// The same of a drawn direction, times a factor.
 template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& known,
-                          Tracing tracing, const BsdfSample& sample, float factor,
+                          Tracing tracing, const BsdfSampleOf<R>& sample, float factor,
                           const typename R::Light& light) {
   return scatterer.template with_weight<R>(p, known, tracing, sample, factor,
                                            [&](const auto& f) { return R::scatter(f, light); });

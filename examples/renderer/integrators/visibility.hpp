@@ -46,6 +46,15 @@ class Visibility {
     }
     return passages_.result();
   }
+  /// The same, times a factor.
+  typename R::Light through(const typename R::Light& light, float factor) {
+    if constexpr (M::present) {
+      if (!has_acted_) return light * (attenuation_ * factor);
+    } else {
+      if (!scene_.has_passages() || passed_ == 0) return light * factor;
+    }
+    return through(light) * factor;
+  }
 
   /// How many sheets and masks open() has let light through.
   int passed() const { return scene_.has_passages() ? passed_ : 0; }

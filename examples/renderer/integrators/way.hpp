@@ -61,7 +61,7 @@ class Way<WithMedia> {
   /// Along a ray to the next surface, unless the path is scattered before: then the hit is a point
   /// in the medium. `path` loses what the medium takes from it.
   template <class Path>
-  End advance(const Ray& ray, Hit& hit, const Path& path, Sampler& sampler) {
+  MALUS_INLINE End advance(const Ray& ray, Hit& hit, const Path& path, Sampler& sampler) {
     const bool found = scene_.intersect(ray, hit);
     surface_ = nullptr;
     const End end = found ? End::surface : End::nothing;
