@@ -8,13 +8,14 @@
 #include <cstdint>
 #include <span>
 
+#include "../core/prefetch.hpp"
 #include "light_subpath.hpp"
 
 namespace renderer {
 
 /// What merging needs of a light vertex, polarised or not. Most that are looked at are too far
-/// away, so what a merge alone needs of polarised light is not here.
-struct Photon {
+/// away, so what a merge alone needs of polarised light is not here. One cache line.
+struct alignas(64) Photon {
   Vec3 position, incident, geometric_normal;  ///< no normal in a medium
   SubpathMis mis;
   std::uint32_t edges : 31, is_polarized : 1;
@@ -34,7 +35,7 @@ struct PhotonLight {
 /// What the photon doesn't hold. Light goes against `incident`, from which the frame's other axis
 /// follows.
 template <>
-struct PhotonLight<malus::Polarized<Rgb>> {
+struct alignas(64) PhotonLight<malus::Polarized<Rgb>> {
   using Light = malus::Polarized<Rgb>::Light;
 
   PhotonLight() {}  // NOLINT: not defaulted, which would set all to zero
@@ -93,15 +94,32 @@ class PhotonMap {
     const glm::ivec3 home(glm::floor(place));
     const glm::ivec3 low = home - glm::ivec3(glm::lessThan(place - Vec3(home), Vec3(0.5f)));
     const float radius2 = radius_ * radius_;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 c = low + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-      const std::uint32_t b = bucket(c);
-      for (std::uint32_t i = starts_[b]; i < starts_[b + 1]; ++i) {
+    // Everything lies at random in memory: all that is known to be read is asked for at once.
+    std::uint32_t buckets[8], ends[8];
+    for (int k = 0; k < 8; ++k) {
+      buckets[k] = bucket(corner(low, k));
+      prefetch(&starts_[buckets[k]]);
+    }
+    for (int k = 0; k < 8; ++k) {
+      const std::uint32_t b = buckets[k];
+      buckets[k] = starts_[b], ends[k] = starts_[b + 1];
+      // What lies in order behind these comes by itself.
+      for (std::uint32_t i = buckets[k]; i < std::min(ends[k], buckets[k] + 4); ++i)
+        prefetch(&photons_[i]);
+    }
+    Found found;
+    for (int k = 0; k < 8; ++k) {
+      const glm::ivec3 c = corner(low, k);
+      for (std::uint32_t i = buckets[k]; i < ends[k]; ++i) {
         const Photon& photon = photons_[i];
         const Vec3 way = photon.position - point;
-        if (glm::dot(way, way) < radius2 && cell(photon.position) == c) visit(photon, i);
+        if (!(glm::dot(way, way) < radius2) || cell(photon.position) != c) continue;
+        if (photon.is_polarized) prefetch(&lights_[i]);
+        found.number[found.count++] = i;
+        if (found.count == Found::most) show(found, visit);
       }
     }
+    show(found, visit);
   }
 
   /// The light of a photon of that number.
@@ -122,6 +140,18 @@ class PhotonMap {
   }
 
  private:
+  /// Photons that are near, while their light is on its way from memory.
+  struct Found {
+    static constexpr int most = 32;
+    std::uint32_t number[most];
+    int count = 0;
+  };
+  template <class Visit>
+  void show(Found& found, Visit&& visit) const {
+    for (int i = 0; i < found.count; ++i) visit(photons_[found.number[i]], found.number[i]);
+    found.count = 0;
+  }
+
   template <class Vertex>
   void store(const Vertex& v, std::size_t i) {
     Photon& photon = photons_[i];
@@ -139,6 +169,9 @@ class PhotonMap {
       }
   }
 
+  static glm::ivec3 corner(const glm::ivec3& low, int k) {
+    return low + glm::ivec3(k & 1, k >> 1 & 1, k >> 2);
+  }
   Vec3 lattice(const Vec3& p) const { return (p - center_) * inverse_cell_; }
   glm::ivec3 cell(const Vec3& p) const { return glm::ivec3(glm::floor(lattice(p))); }
   std::uint32_t bucket(const glm::ivec3& c) const {
