@@ -23,12 +23,21 @@ namespace {
 using Pixels = std::vector<std::array<double, 12>>;
 
 /// Little noise is asked for, but every path is the same in all modes: no roulette.
-Pixels pixels(const Scene& scene, Mode mode) {
-  const Rendering r = render(scene, 4, mode);
+Pixels pixels_of(const Rendering& r) {
   Pixels result(static_cast<std::size_t>(r.film.width() * r.film.height()));
   for (std::size_t i = 0; i < result.size(); ++i)
     for (std::size_t c = 0; c < 12; ++c) result[i][c] = r.film.total(i).mean(c);
   return result;
+}
+Pixels pixels(const Scene& scene, Mode mode) { return pixels_of(render(scene, 4, mode)); }
+/// Of light paths whose vertices hold all of their light, or intensities alone.
+Pixels pixels(const Scene& scene, bool stores_polarization) {
+  renderer::RenderOptions options;
+  options.samples_per_pixel = 4;
+  options.threads = 2;
+  options.stores_polarization = stores_polarization;
+  const std::atomic<bool> stop{false};
+  return pixels_of(renderer::render(scene, options, stop, {}));
 }
 
 /// The largest difference, in parts of the brightest pixel; 0 of two black pictures.
@@ -335,13 +344,23 @@ TEST_CASE("needs: in random scenes, what is skipped changes no picture") {
 }
 
 TEST_CASE("needs: photons may be polarised where a rough surface that polarises receives them") {
-  const auto stored = [](const std::string& content) {
-    return find_needs(small(content, "vcm")).stored_polarization();
-  };
   const std::string glass_ball = ball({-1, 0, 1}, 0.6, glass);
-  CHECK_FALSE(stored(lit_room + glass_ball));
-  CHECK_FALSE(stored(lit_room + square({1, 0, 1}, {1, -1, 1}, 0.5, coat, {0, 0, 1})));
-  CHECK(stored(lit_room + glass_ball + square({1, 0, 1}, {1, -1, 1}, 0.5, coat, {0, 0, 1})));
+  const std::string seen = square({1, 0, 1}, {1, -1, 1}, 0.5, coat, {0, 0, 1});
+  const auto check = [](const std::string& content, bool stored) {
+    for (const char* algorithm : {"bdpt", "bpm", "vcm"}) {
+      const Scene scene = small(content, algorithm);
+      CAPTURE(content);
+      CAPTURE(algorithm);
+      CHECK(find_needs(scene).stored_polarization() == stored);
+      // Where they need not be, the picture is the same of intensities alone; else it isn't.
+      const double difference = apart(pixels(scene, true), pixels(scene, false));
+      CHECK((difference > rounding) == stored);
+    }
+  };
+  check(lit_room + glass_ball, false);
+  check(lit_room + seen, false);
+  // Between the lamp and what it shines on.
+  check(lit_room + ball({1, -1.5, 2}, 0.4, glass) + seen, true);
 }
 
 namespace {
@@ -423,6 +442,8 @@ TEST_CASE("needs: --stats counts what was skipped, and what was not") {
     const auto json = nlohmann::json::parse(file);
     CHECK(json["connections"]["tried"] == json["connections"]["shadowed"].get<std::uint64_t>() +
                                               json["connections"]["open"].get<std::uint64_t>());
+    CHECK(json["merges"] == json["merged_light"]["intensity"].get<std::uint64_t>() +
+                                json["merged_light"]["stokes_vector"].get<std::uint64_t>());
     CHECK(json["light_vertices"] == json["stored_light"]["intensity"].get<std::uint64_t>() +
                                         json["stored_light"]["stokes_vector"].get<std::uint64_t>());
     return json;
@@ -436,6 +457,9 @@ TEST_CASE("needs: --stats counts what was skipped, and what was not") {
   CHECK(skipped["stored_light"]["stokes_vector"] == 0);
   CHECK(followed["skipped_elements"] == 0);
   CHECK(followed["stored_light"]["stokes_vector"] > 0);
+  // All that is seen depolarises.
+  CHECK(followed["merged_light"]["intensity"] > 0);
+  CHECK(followed["merged_light"]["stokes_vector"] == 0);
   CHECK(followed["connections"]["shadowed"] > 0);
   CHECK(followed["mueller_forms"]["full"] > 0);
 
@@ -448,6 +472,7 @@ TEST_CASE("needs: --stats counts what was skipped, and what was not") {
   const auto& paths = some["camera_paths"];
   CHECK(paths["not_evaluated"] > 0);
   CHECK(paths["not_evaluated"] < paths["scatterings"]);
+  CHECK(some["merged_light"]["stokes_vector"] > 0);
 
   // Two walls and no light between them but the lamp's, which most paths meet behind a wall.
   const auto dark = run(eye + square({0, 0, 0}, {0, 0, 1}, 6, coat, {0, 1, 0}) +

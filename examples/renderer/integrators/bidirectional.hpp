@@ -307,7 +307,6 @@ class BidirectionalIntegrator {
       if (!v.scatterer.sides_agree(v.hit, photon.incident)) return;
       const auto value = v.scatterer.template value<R>(v.hit, photon.incident, v.exitant);
       if (malus::max_channel(value.m00) <= 0) return;
-      ++counters_.merges;
       float w = normalization * incident_correction(v.scatterer, v.hit, photon.incident);
       if (!techniques_.first_vertex) {
         const MisFactors& f = iteration_->factors;
@@ -316,6 +315,7 @@ class BidirectionalIntegrator {
       }
       const auto light =
           reads_polarization ? photons.light(photon, i) : R::unpolarized(photon.intensity);
+      counters_.count_merged(light);
       path_.deposit(v.hit, photon.incident, v.exitant, v.scatterer, value, light * w);
     });
   }

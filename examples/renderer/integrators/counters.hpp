@@ -28,6 +28,7 @@ struct Counters {
   std::uint64_t dark_paths = 0;  ///< from the camera, that no light was deposited on
   std::uint64_t scatterings = 0, evaluated = 0;  ///< on camera paths; before the last deposit
   std::uint64_t stored_stokes = 0;               ///< light vertices whose light is polarised
+  std::uint64_t merged_stokes = 0;  ///< merges for which a photon's polarisation was read
 
   /// A path from the camera whose result has been read.
   template <class Path>
@@ -37,6 +38,13 @@ struct Counters {
       evaluated += path.evaluated();
       if (path.is_dark()) ++dark_paths;
     }
+  }
+  /// The light of a photon that is merged.
+  template <class Light>
+  void count_merged(const Light& light) {
+    ++merges;
+    if constexpr (requires { light.form(); })
+      if (light.form() == malus::StokesForm::full) ++merged_stokes;
   }
   /// The light of a vertex that is stored.
   template <class Light>
@@ -64,6 +72,7 @@ struct Counters {
     scatterings += c.scatterings;
     evaluated += c.evaluated;
     stored_stokes += c.stored_stokes;
+    merged_stokes += c.merged_stokes;
     return *this;
   }
 };

@@ -76,6 +76,9 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   json["bytes_per_photon"] = memory.bytes_per_photon;
   json["light_vertex_memory"] = memory.peak;
   json["merges"] = c.merges;
+  if (memory.bytes_per_photon > 0)
+    json["merged_light"] = {{"intensity", c.merges - c.merged_stokes},
+                            {"stokes_vector", c.merged_stokes}};
   json["shapes"] = scene.geometry.shape_count();
   json["triangles"] = scene.geometry.triangle_count();
   json["stokes_frame"] = frame == StokesFrame::up ? "up" : "horizontal";
