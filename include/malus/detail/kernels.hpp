@@ -129,7 +129,7 @@ inline constexpr std::size_t layout_size<turned_block> = 12;
 /// out = a·b, no frames to turn. Out is the form of the result; out overlaps neither factor.
 template <auto Out, auto A, auto B, class V>
 MALUS_INLINE constexpr void multiply(const V* a, const V* b, V* out) {
-  if constexpr (layout_size<A> == 16 && layout_size<B> == 16 && has_wide_rows<V>)
+  if constexpr (layout_size<A> == 16 && layout_size<B> == 16 && has_wide_unturned_rows<V>)
     multiply_full(a, NoRotation{}, b, out);
   else
     add_terms<product_terms<Out, A, B>, layout_size<Out>>(a, b, out);

@@ -32,6 +32,15 @@ inline constexpr std::size_t register_bytes = 16;
 
 template <class V>
 inline constexpr bool has_wide_rows = !std::is_floating_point_v<V>;
+/// Where no frame is turned on the way. g++ takes rows through memory if a register holds one
+/// component, and needs three times as long as component by component.
+#if defined(__clang__)
+template <class V>
+inline constexpr bool has_wide_unturned_rows = has_wide_rows<V>;
+#else
+template <class V>
+inline constexpr bool has_wide_unturned_rows = has_wide_rows<V> && (register_bytes > 16);
+#endif
 
 template <class T>
 struct WideOf {
@@ -131,6 +140,8 @@ MALUS_INLINE void multiply_full(const V* a, const Turn& turn, const V* b, V* out
 
 template <class V>
 inline constexpr bool has_wide_rows = false;
+template <class V>
+inline constexpr bool has_wide_unturned_rows = false;
 
 template <class V, class Turn>
 void multiply_full(const V* a, const Turn& turn, const V* b, V* out);
