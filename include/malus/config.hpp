@@ -35,6 +35,16 @@
 #define MALUS_INLINE_LAMBDA __attribute__((always_inline))
 #endif
 
+/// 1: the values of a Spectrum lie in vector types of GNU's compilers, which Clang has, too. 0: in
+/// arrays of the same size and alignment, as for any other compiler; the same operations, slower.
+#if !defined(MALUS_SIMD)
+#if defined(__GNUC__) || defined(__clang__)
+#define MALUS_SIMD 1
+#else
+#define MALUS_SIMD 0
+#endif
+#endif
+
 // g++ 12 with AVX-512 moves a constant whose upper part is zero as a broadcast of its lower part:
 // (a, a, a, a, 0, 0, 0, 0) arrives as eight times a. There, makers hide what they store from the
 // optimiser (detail::hide_constant). -fno-tree-slp-vectorize avoids it in other code.

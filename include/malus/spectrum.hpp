@@ -22,7 +22,7 @@ namespace malus {
 
 namespace detail {
 
-#if defined(__GNUC__) || defined(__clang__)
+#if MALUS_SIMD
 template <class T>
 struct LanesOf {
   static constexpr std::size_t width = 16 / sizeof(T);
@@ -71,7 +71,7 @@ MALUS_INLINE Lanes<T> broadcast(T x) {
 /// if it may forget errno.
 template <class T>
 MALUS_INLINE Lanes<T> square_root(Lanes<T> x) {
-#if defined(__has_builtin)
+#if MALUS_SIMD && defined(__has_builtin)
 #if __has_builtin(__builtin_elementwise_sqrt)
   return __builtin_elementwise_sqrt(x);
 #elif __has_builtin(__builtin_ia32_sqrtps) && __has_builtin(__builtin_ia32_sqrtpd)
@@ -88,7 +88,7 @@ MALUS_INLINE Lanes<T> square_root(Lanes<T> x) {
 /// x < 0 ? a : b in every lane.
 template <class T>
 MALUS_INLINE Lanes<T> where_negative(Lanes<T> x, Lanes<T> a, Lanes<T> b) {
-#if defined(__GNUC__) || defined(__clang__)
+#if MALUS_SIMD
   return x < broadcast(T(0)) ? a : b;
 #else
   for (std::size_t i = 0; i < lanes_width<T>; ++i) a[i] = x[i] < 0 ? a[i] : b[i];

@@ -14,7 +14,7 @@
 
 namespace malus::detail {
 
-#if defined(__has_builtin)
+#if MALUS_SIMD && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define MALUS_HAS_WIDE_ROWS 1
 #endif
