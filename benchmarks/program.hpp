@@ -9,6 +9,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "io/input_error.hpp"
 
@@ -17,6 +18,12 @@ namespace benchmarks {
 /// CLI11's ranges let it pass.
 inline void reject_nan(const char* option, double value) {
   if (std::isnan(value)) throw renderer::InputError(std::string(option) + ": nan is no number");
+}
+
+/// Which scenes a benchmark renders: those of the names, NAME.xml in the folder.
+inline void add_scene_options(CLI::App& app, std::vector<std::string>& names, std::string& folder) {
+  app.add_option("--scene", names, "Names of scenes")->capture_default_str();
+  app.add_option("--scenes", folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
 }
 
 /// `run` is called with the options read, and gives the exit status.

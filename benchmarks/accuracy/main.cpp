@@ -235,7 +235,7 @@ nlohmann::ordered_json to_json(const Row& row) {
 }
 
 int run(const Arguments& a) {
-  if (std::isnan(a.seconds)) throw renderer::InputError("--seconds: nan is no number");
+  benchmarks::reject_nan("--seconds", a.seconds);
   if (!a.json.empty()) renderer::check_writable(a.json);
   std::printf(
       "| operation | precision | rotations | build | ns | ulp, max | ulp, rms | relative error, "

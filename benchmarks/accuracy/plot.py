@@ -6,13 +6,13 @@
 
 A panel for each operation, float and double apart. Across: nanoseconds; up: units in the last place of the precision, the point
 at the root of the mean square, its line up to the maximum. Colours are how rotations are found, shapes how the code is compiled.
-Left and down is better. A .svg as output gives that. Needs gnuplot.
+Left and down is better. A .svg or .pdf as output gives that. Needs gnuplot.
 """
-import argparse
-import json
-import shutil
-import subprocess
+import os
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import plotting  # noqa: E402
 
 COLOURS = {"divided": "#1f77b4", "quotients": "#2ca02c", "undivided": "#d62728", "angles": "#7f7f7f", "": "#1f77b4"}
 TITLES = {"divided": "1/(c² + s²), the library's", "quotients": "two quotients", "undivided": "no division", "angles": "atan2, cos, sin"}
@@ -41,31 +41,21 @@ def panel(rows, operation, precision, key):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="benchmark_accuracy's --json")
-    parser.add_argument("-o", "--output", default="accuracy.png", help="the picture, .png or .svg")
-    arguments = parser.parse_args()
-    if not shutil.which("gnuplot"):
-        sys.exit("plot.py: gnuplot is missing")
-    try:
-        with open(arguments.json, encoding="utf-8") as file:
-            rows = json.load(file)
+    arguments = plotting.parse(plotting.parser_of(__doc__, "benchmark_accuracy", "accuracy.png"))
+    with plotting.content_of(arguments.json) as rows:
         operations = list(dict.fromkeys(r["operation"] for r in rows))
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        sys.exit(f"plot.py: {arguments.json}: {error}")
-    across = (len(operations) + 1) // 2
-    size = f"{380 * across},{1240}"
-    terminal = f"svg size {size} font 'sans,11'" if arguments.output.endswith(".svg") else f"pngcairo size {size} font 'sans,10'"
-    lines = [f"set terminal {terminal}", f"set output '{arguments.output}'", "set logscale xy", "set grid lc rgb '#dddddd'",
-             'set format "%g"', 'set xtics (1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200)', 'set xlabel "ns"', 'set ylabel "units in the last place"', f"set multiplot layout 4,{across}"]
-    # Float above double, the first half of the operations above the second.
-    for half in (operations[:across], operations[across:]):
-        for precision in ("float", "double"):
-            for operation in half:
-                lines += panel(rows, operation, precision, operation == operations[0] and precision == "float")
-            lines += ["set multiplot next"] * (across - len(half))
-    subprocess.run(["gnuplot"], input="\n".join(lines + ["unset multiplot"]) + "\n", text=True, check=True)
-    print(arguments.output)
+        across = (len(operations) + 1) // 2
+        # Float above double, the first half of the operations above the second.
+        panels = []
+        for half in (operations[:across], operations[across:]):
+            for precision in ("float", "double"):
+                for operation in half:
+                    panels += panel(rows, operation, precision, operation == operations[0] and precision == "float")
+                panels += ["set multiplot next"] * (across - len(half))
+    commands = ["set logscale xy", "set grid lc rgb '#dddddd'", 'set format "%g"',
+                "set xtics (1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200)", 'set xlabel "ns"',
+                'set ylabel "units in the last place"']
+    plotting.draw(arguments.output, (380 * across, 1240), (4, across), commands, panels)
 
 
 if __name__ == "__main__":

@@ -209,8 +209,7 @@ int run(const Arguments& a) {
 }
 
 void add_options(CLI::App& app, Arguments& a) {
-  app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
-  app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
+  benchmarks::add_scene_options(app, a.scenes, a.folder);
   app.add_option("--algorithm", a.algorithms,
                  "Integrators (default: all, but ptracer only without smooth surfaces)")
       ->check(CLI::IsMember({"path", "ptracer", "bdpt", "ppm", "bpm", "vcm"}));

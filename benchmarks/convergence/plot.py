@@ -11,13 +11,12 @@ the second's. Bars are one standard error of the repeats. Points that are not we
 grey band reaches up to, are hollow. The thin black line falls by the power -1/2 of time, as errors of what is unbiased do; the numbers in
 the key are the slopes of the lines. Needs gnuplot.
 """
-import argparse
-import json
 import math
 import os
-import shutil
-import subprocess
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import plotting  # noqa: E402
 
 COLOURS = {"path": "#1f77b4", "ptracer": "#8c564b", "bdpt": "#2ca02c", "ppm": "#ff7f0e", "bpm": "#9467bd", "vcm": "#d62728"}
 DASHES = {"optimized": 1, "unpolarized": "'-'", "auto": "'.'"}
@@ -94,42 +93,30 @@ def draw(panels, across, path):
         return
     across = min(across, len(panels))
     down = (len(panels) + across - 1) // across
-    size = f"{400 * across},{380 * down}"
-    terminal = f"svg size {size} font 'sans,11'" if path.endswith(".svg") else f"pngcairo size {size} font 'sans,9'"
-    lines = [f"set terminal {terminal}", f"set output '{path}'", "set logscale xy", "set grid lc rgb '#dddddd'",
-             'set format "%g"', f"set xtics ({TICS})", f"set ytics ({TICS})", 'set xlabel "seconds"', 'set ylabel "relative error"',
-             f"set multiplot layout {down},{across}"]
-    text = "\n".join(lines + [line for commands in panels for line in commands] + ["unset multiplot"]) + "\n"
-    subprocess.run(["gnuplot"], input=text, text=True, check=True)
-    print(path)
+    commands = ["set logscale xy", "set grid lc rgb '#dddddd'", 'set format "%g"', f"set xtics ({TICS})", f"set ytics ({TICS})",
+                'set xlabel "seconds"', 'set ylabel "relative error"']
+    plotting.draw(path, (400 * across, 380 * down), (down, across), commands, [line for p in panels for line in p], points=9)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="benchmark_convergence's --json")
+    parser = plotting.parser_of(__doc__, "benchmark_convergence")
     parser.add_argument("-o", "--output", default=".", help="folder of the pictures, <scene>.png")
     parser.add_argument("--overview", metavar="FILE", help="one picture of all scenes instead, of the first quantity")
     parser.add_argument("--format", choices=["png", "svg"], default="png")
     parser.add_argument("--quantity", nargs="+", default=["S0", "S1-S3", "DoP"], choices=sorted(TITLES))
     parser.add_argument("--variant", nargs="+", help="these alone")
     parser.add_argument("--sampler", nargs="+", help="these alone")
-    arguments = parser.parse_args()
-    if not shutil.which("gnuplot"):
-        sys.exit("plot.py: gnuplot is missing")
-    try:
-        with open(arguments.json, encoding="utf-8") as file:
-            content = json.load(file)
+    arguments = plotting.parse(parser)
+    number, panels = 0, {}
+    with plotting.content_of(arguments.json) as content:
         references = {r["scene"]: r for r in content["references"]}
         rows = [r for r in content["rows"] if (not arguments.variant or r["variant"] in arguments.variant)
                 and (not arguments.sampler or r.get("sampler") in arguments.sampler)]
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot.py: {arguments.json}: {error}")
-    number, panels = 0, {}
-    for scene, reference in references.items():
-        for quantity in arguments.quantity[:1] if arguments.overview else arguments.quantity:
-            of_scene = [row for row in rows if row["scene"] == scene]
-            panels.setdefault(scene, []).append(panel(number, f"{scene}: {TITLES[quantity]}", of_scene, reference, quantity))
-            number += 1
+        for scene, reference in references.items():
+            for quantity in arguments.quantity[:1] if arguments.overview else arguments.quantity:
+                of_scene = [row for row in rows if row["scene"] == scene]
+                panels.setdefault(scene, []).append(panel(number, f"{scene}: {TITLES[quantity]}", of_scene, reference, quantity))
+                number += 1
     if arguments.overview:
         return draw([p for of_scene in panels.values() for p in of_scene], 4, arguments.overview)
     os.makedirs(arguments.output, exist_ok=True)

@@ -3,21 +3,29 @@
 // (--wrap=rtcIntersect1): the renderer calls __wrap_…, Embree's own are __real_….
 #pragma once
 
+// What else a ray's call takes stands in front of the ray in Embree 3 and behind it in 4.
 #if MALUS_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
-
-extern "C" void __real_rtcIntersect1(RTCScene, RTCRayHit*, RTCIntersectArguments*);
-extern "C" void __real_rtcOccluded1(RTCScene, RTCRay*, RTCOccludedArguments*);
-extern "C" void __wrap_rtcIntersect1(RTCScene, RTCRayHit*, RTCIntersectArguments*);
-extern "C" void __wrap_rtcOccluded1(RTCScene, RTCRay*, RTCOccludedArguments*);
+#define PROFILE_CALL(scene, context, query) (scene, query, context)
+namespace profile {
+using IntersectContext = RTCIntersectArguments;
+using OccludedContext = RTCOccludedArguments;
+}  // namespace profile
 #else
 #include <embree3/rtcore.h>
-
-extern "C" void __real_rtcIntersect1(RTCScene, RTCIntersectContext*, RTCRayHit*);
-extern "C" void __real_rtcOccluded1(RTCScene, RTCIntersectContext*, RTCRay*);
-extern "C" void __wrap_rtcIntersect1(RTCScene, RTCIntersectContext*, RTCRayHit*);
-extern "C" void __wrap_rtcOccluded1(RTCScene, RTCIntersectContext*, RTCRay*);
+#define PROFILE_CALL(scene, context, query) (scene, context, query)
+namespace profile {
+using IntersectContext = RTCIntersectContext;
+using OccludedContext = RTCIntersectContext;
+}  // namespace profile
 #endif
+
+extern "C" {
+void __real_rtcIntersect1 PROFILE_CALL(RTCScene, profile::IntersectContext*, RTCRayHit*);
+void __real_rtcOccluded1 PROFILE_CALL(RTCScene, profile::OccludedContext*, RTCRay*);
+void __wrap_rtcIntersect1 PROFILE_CALL(RTCScene, profile::IntersectContext*, RTCRayHit*);
+void __wrap_rtcOccluded1 PROFILE_CALL(RTCScene, profile::OccludedContext*, RTCRay*);
+}
 
 namespace profile {
 

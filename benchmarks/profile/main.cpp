@@ -130,8 +130,7 @@ int main(int argc, char** argv) {
   Arguments a;
   CLI::App app("What a path takes beside Embree's rays alone and memory's limits",
                "benchmark_profile");
-  app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
-  app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
+  benchmarks::add_scene_options(app, a.scenes, a.folder);
   app.add_option("--algorithm", a.algorithms, "Integrators")->capture_default_str();
   app.add_option("--seconds", a.seconds, "For each row")
       ->check(CLI::Range(0.001, 1e6))

@@ -24,25 +24,16 @@ void record(RTCScene scene, const RTCRay& ray, bool is_shadow) {
 
 }  // namespace
 
-#if MALUS_EMBREE_MAJOR >= 4
-extern "C" void __wrap_rtcIntersect1(RTCScene scene, RTCRayHit* query, RTCIntersectArguments* a) {
+extern "C" void __wrap_rtcIntersect1 PROFILE_CALL(RTCScene scene, profile::IntersectContext* c,
+                                                  RTCRayHit* query) {
   record(scene, query->ray, false);
-  __real_rtcIntersect1(scene, query, a);
+  __real_rtcIntersect1 PROFILE_CALL(scene, c, query);
 }
-extern "C" void __wrap_rtcOccluded1(RTCScene scene, RTCRay* query, RTCOccludedArguments* a) {
+extern "C" void __wrap_rtcOccluded1 PROFILE_CALL(RTCScene scene, profile::OccludedContext* c,
+                                                 RTCRay* query) {
   record(scene, *query, true);
-  __real_rtcOccluded1(scene, query, a);
+  __real_rtcOccluded1 PROFILE_CALL(scene, c, query);
 }
-#else
-extern "C" void __wrap_rtcIntersect1(RTCScene scene, RTCIntersectContext* c, RTCRayHit* query) {
-  record(scene, query->ray, false);
-  __real_rtcIntersect1(scene, c, query);
-}
-extern "C" void __wrap_rtcOccluded1(RTCScene scene, RTCIntersectContext* c, RTCRay* query) {
-  record(scene, *query, true);
-  __real_rtcOccluded1(scene, c, query);
-}
-#endif
 
 namespace profile {
 

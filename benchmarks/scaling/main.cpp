@@ -226,8 +226,7 @@ int main(int argc, char** argv) {
   Arguments a;
   CLI::App app("Time of a path by threads, length of paths, photons and resolution",
                "benchmark_scaling");
-  app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
-  app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
+  benchmarks::add_scene_options(app, a.scenes, a.folder);
   app.add_option("--dimension", a.dimensions, "What is varied")
       ->check(CLI::IsMember({"threads", "depth", "photons", "resolution"}))
       ->capture_default_str();

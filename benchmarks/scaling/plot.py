@@ -7,11 +7,11 @@
 Nanoseconds a path over the length of paths, photons and resolution, by logarithms; of threads, paths a second over those of one thread,
 beside the ideal. Colours are algorithms, shapes scenes; solid lines are optimized, dashed ones unpolarized. Needs gnuplot.
 """
-import argparse
-import json
-import shutil
-import subprocess
+import os
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import plotting  # noqa: E402
 
 COLOURS = {"path": "#1f77b4", "bdpt": "#2ca02c", "ppm": "#ff7f0e", "vcm": "#d62728"}
 SHAPES = [7, 9, 5, 13, 11]
@@ -49,28 +49,16 @@ def panel(number, dimension, rows, scenes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="benchmark_scaling's --json")
-    parser.add_argument("-o", "--output", default="scaling.png", help="the picture, .png or .svg")
-    arguments = parser.parse_args()
-    if not shutil.which("gnuplot"):
-        sys.exit("plot.py: gnuplot is missing")
-    try:
-        with open(arguments.json, encoding="utf-8") as file:
-            rows = json.load(file)
+    arguments = plotting.parse(plotting.parser_of(__doc__, "benchmark_scaling", "scaling.png"))
+    with plotting.content_of(arguments.json) as rows:
         dimensions = [d for d in NAMES if any(r["dimension"] == d for r in rows)]
         scenes = list(dict.fromkeys(r["scene"] for r in rows))
-        across, down = min(2, len(dimensions)), (len(dimensions) + 1) // 2
-        size = f"{520 * across},{400 * down}"
-        terminal = f"svg size {size} font 'sans,11'" if arguments.output.endswith(".svg") else f"pngcairo size {size} font 'sans,10'"
-        lines = [f"set terminal {terminal}", f"set output '{arguments.output}'", "set grid lc rgb '#dddddd'", 'set format "%g"',
-                 f"set multiplot layout {down},{across}"]
+        panels = []
         for number, dimension in enumerate(dimensions):
-            lines += panel(number, dimension, [r for r in rows if r["dimension"] == dimension], scenes)
-    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-        sys.exit(f"plot.py: {arguments.json}: {error}")
-    subprocess.run(["gnuplot"], input="\n".join(lines + ["unset multiplot"]) + "\n", text=True, check=True)
-    print(arguments.output)
+            panels += panel(number, dimension, [r for r in rows if r["dimension"] == dimension], scenes)
+    across, down = min(2, len(dimensions)), (len(dimensions) + 1) // 2
+    plotting.draw(arguments.output, (520 * across, 400 * down), (down, across), ["set grid lc rgb '#dddddd'", 'set format "%g"'],
+                  panels)
 
 
 if __name__ == "__main__":

@@ -11,15 +11,14 @@
 // of all states of light on the way have a degree of polarisation above 1, and by how much, or an
 // intensity below 0. Short
 // chains are many, the longest few. The second kind of rotation is there to be seen to drift.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "../program.hpp"
 #include "chain.hpp"
 #include "growth.hpp"
 #include "io/atomic_file.hpp"
@@ -158,6 +157,10 @@ nlohmann::ordered_json to_json(const Result& r) {
 }
 
 int run(const Arguments& a) {
+  benchmarks::reject_nan("--longest", a.longest);
+  benchmarks::reject_nan("--fit-from", a.from);
+  if (a.from * 10 > a.longest)
+    throw renderer::InputError("--fit-from: at most a tenth of --longest");
   if (!a.json.empty()) renderer::check_writable(a.json);
   std::printf(
       "| elements | precision | error behind 10 | 1000 | %.0e | largest | grows as n to the | DoP "
@@ -191,18 +194,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", a.seed)->check(CLI::Range(1, 1000000))->capture_default_str();
   app.add_option("--json", a.json, "File of the same numbers, at all lengths");
-  try {
-    app.parse(argc, argv);
-    if (!std::isfinite(a.longest) || !std::isfinite(a.from) || a.from * 10 > a.longest)
-      throw renderer::InputError("--fit-from: at most a tenth of --longest");
-    return run(a);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  } catch (const renderer::InputError& e) {
-    std::cerr << "benchmark_stability: " << e.what() << '\n';
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "benchmark_stability: " << e.what() << '\n';
-    return 1;
-  }
+  return benchmarks::run_program(app, argc, argv, [&] { return run(a); });
 }

@@ -6,13 +6,13 @@
 
 Left float, right double. Above the relative error, below the drift of the degree of polarisation (its magnitude, with two standard
 errors), both against the number of elements; grey lines are what a random walk (√n) and a drift (n) of half a unit in the last place
-would make. A .svg as output gives that. Needs gnuplot.
+would make. A .svg or .pdf as output gives that. Needs gnuplot.
 """
-import argparse
-import json
-import shutil
-import subprocess
+import os
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import plotting  # noqa: E402
 
 COLOURS = ["#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b"]
 EPSILON = {"float": 2.0**-23, "double": 2.0**-52}
@@ -44,26 +44,14 @@ def panel(results, precision, column, title, key):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="benchmark_stability's --json")
-    parser.add_argument("-o", "--output", default="stability.png", help="the picture, .png or .svg")
-    arguments = parser.parse_args()
-    if not shutil.which("gnuplot"):
-        sys.exit("plot.py: gnuplot is missing")
-    try:
-        with open(arguments.json, encoding="utf-8") as file:
-            results = json.load(file)
-        terminal = ("svg size 1100,900 font 'sans,11'" if arguments.output.endswith(".svg")
-                    else "pngcairo size 1100,900 font 'sans,10'")
-        lines = [f"set terminal {terminal}", f"set output '{arguments.output}'", "set logscale xy", "set grid lc rgb '#dddddd'",
-                 'set format "10^{%L}"', 'set xlabel "elements"', "set multiplot layout 2,2"]
+    arguments = plotting.parse(plotting.parser_of(__doc__, "benchmark_stability", "stability.png"))
+    with plotting.content_of(arguments.json) as results:
+        panels = []
         for column, title in (("relative_error", "relative error"), ("dop_drift", "drift of the degree of polarisation")):
             for precision in ("float", "double"):
-                lines += panel(results, precision, column, title, column == "relative_error" and precision == "float")
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        sys.exit(f"plot.py: {arguments.json}: {error}")
-    subprocess.run(["gnuplot"], input="\n".join(lines + ["unset multiplot"]) + "\n", text=True, check=True)
-    print(arguments.output)
+                panels += panel(results, precision, column, title, column == "relative_error" and precision == "float")
+    commands = ["set logscale xy", "set grid lc rgb '#dddddd'", 'set format "10^{%L}"', 'set xlabel "elements"']
+    plotting.draw(arguments.output, (1100, 900), (2, 2), commands, panels)
 
 
 if __name__ == "__main__":

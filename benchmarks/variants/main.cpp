@@ -209,8 +209,7 @@ int verify(const Arguments& a) {
 int main(int argc, char** argv) {
   CLI::App app("Paths a second by scene, algorithm and variant", "benchmark_variants");
   Arguments a;
-  app.add_option("--scene", a.scenes, "Names of scenes")->capture_default_str();
-  app.add_option("--scenes", a.folder, "Folder of the scenes")->check(CLI::ExistingDirectory);
+  benchmarks::add_scene_options(app, a.scenes, a.folder);
   app.add_option("--algorithm", a.algorithms, "Integrators")->capture_default_str();
   app.add_option("--variant", a.variants, "What is compared with unpolarized")
       ->check(CLI::IsMember({"unpolarized", "naive", "optimized", "auto"}))

@@ -5,66 +5,51 @@
     benchmark_variants --json variants.json
     benchmarks/variants/plot.py variants.json variants.svg
 
-A dot is a ratio, its line the 95 % interval, a cross the paper's ratio.
+A dot is a ratio, its line the 95 % interval, a cross the paper's ratio. Needs gnuplot.
 """
-
-import argparse
-import json
+import os
 import sys
 
-COLORS = {"naive": "tab:red", "optimized": "tab:blue", "auto": "tab:green"}
-KEYS = ("scene", "algorithm", "variant", "ratio", "ratio_low", "ratio_high")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import plotting  # noqa: E402
+
+COLOURS = {"naive": "#d62728", "optimized": "#1f77b4", "auto": "#2ca02c"}
 
 
-def read_rows(path):
-    try:
-        with open(path, encoding="utf-8") as file:
-            rows = json.load(file)
-    except (OSError, ValueError) as error:
-        sys.exit(f"plot.py: {path}: {error}")
-    if not isinstance(rows, list) or not all(isinstance(r, dict) and all(k in r for k in KEYS) for r in rows):
-        sys.exit(f"plot.py: {path}: expected a list of rows with {', '.join(KEYS)}")
-    return rows
-
-
-def draw(pyplot, rows, output):
-    # From top to bottom as in the file, which begins with the paper's.
-    names = list(dict.fromkeys((r["scene"], r["algorithm"]) for r in rows))
-    variants = [v for v in COLORS if any(r["variant"] == v for r in rows)]
-    figure, axes = pyplot.subplots(figsize=(8, 1.2 + 0.42 * len(names)), layout="constrained")
-    axes.axvline(1, color="black", linewidth=0.8)
+def panel(rows, names):
+    """gnuplot's commands for the one panel: names from top to bottom as in the file, which begins with the paper's."""
+    data, plots = [], ['$one using 1:2 with lines lc rgb "black" lw 0.8 notitle']
+    variants = [v for v in COLOURS if any(r["variant"] == v for r in rows)]
     for i, variant in enumerate(variants):
         shift = (i - (len(variants) - 1) / 2) * 0.22
-        mine = [r for r in rows if r["variant"] == variant]
-        places = [names.index((r["scene"], r["algorithm"])) + shift for r in mine]
-        errors = [[r["ratio"] - r["ratio_low"] for r in mine], [r["ratio_high"] - r["ratio"] for r in mine]]
-        axes.errorbar([r["ratio"] for r in mine], places, xerr=errors, fmt="o", markersize=4, color=COLORS[variant], label=variant)
-        papers = [(r["paper_ratio"], y) for r, y in zip(mine, places) if r.get("paper_ratio")]
+        ratios, papers = [], []
+        for row in rows:
+            if row["variant"] == variant:
+                place = names.index((row["scene"], row["algorithm"])) + shift
+                ratios.append(f"{row['ratio']:.5g} {place:.3f} {row['ratio_low']:.5g} {row['ratio_high']:.5g}")
+                if row.get("paper_ratio"):
+                    papers.append(f"{row['paper_ratio']:.5g} {place:.3f}")
+        data += [f"$ratios{i} << EOD", *ratios, "EOD"]
+        plots.append(f'$ratios{i} using 1:2:3:4 with xerrorbars pt 7 ps 0.6 lw 1.3 lc rgb "{COLOURS[variant]}" title "{variant}"')
         if papers:
-            axes.plot(*zip(*papers), "x", color=COLORS[variant], label=f"{variant} in the paper")
-    axes.set_yticks(range(len(names)), [f"{scene}, {algorithm}" for scene, algorithm in names])
-    axes.invert_yaxis()
-    axes.set_xlim(left=0)
-    axes.set_xlabel("paths a second, over those of unpolarized")
-    axes.grid(axis="x", alpha=0.3)
-    figure.legend(loc="outside upper center", ncols=3, frameon=False)
-    figure.savefig(output)
+            data += [f"$papers{i} << EOD", *papers, "EOD"]
+            plots.append(f'$papers{i} using 1:2 with points pt 2 ps 0.9 lw 1.3 lc rgb "{COLOURS[variant]}" title "{variant} in the paper"')
+    last = len(names) - 0.5
+    ticks = ", ".join(f'"{scene}, {algorithm}" {place}' for place, (scene, algorithm) in enumerate(names))
+    return ["$one << EOD", "1 -0.5", f"1 {last}", "EOD", *data, f"set ytics ({ticks}) noenhanced", f"set yrange [{last}:-0.5]",
+            "plot " + ", \\\n  ".join(plots)]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="what benchmark_variants --json wrote")
-    parser.add_argument("output", help="picture to write: .svg, .png or .pdf")
-    arguments = parser.parse_args()
-    rows = read_rows(arguments.json)
-    try:
-        import matplotlib
-    except ImportError:
-        sys.exit("plot.py needs matplotlib, which is not installed (Debian: apt-get install python3-matplotlib; or pip install matplotlib)")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    draw(pyplot, rows, arguments.output)
+    parser = plotting.parser_of(__doc__, "benchmark_variants")
+    parser.add_argument("output", help="the picture, .png, .svg or .pdf")
+    arguments = plotting.parse(parser)
+    with plotting.content_of(arguments.json) as rows:
+        names = list(dict.fromkeys((r["scene"], r["algorithm"]) for r in rows))
+        panels = panel(rows, names)
+    commands = ["set grid xtics lc rgb '#dddddd'", "set xrange [0:*]", 'set xlabel "paths a second, over those of unpolarized"',
+                "set tmargin 4", "set key at screen 0.5,0.995 center top horizontal noenhanced maxcols 3 samplen 2"]
+    plotting.draw(arguments.output, (800, 120 + 42 * len(names)), (1, 1), commands, panels)
 
 
 if __name__ == "__main__":

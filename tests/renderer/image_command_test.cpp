@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -189,4 +190,18 @@ TEST_CASE("an input is never overwritten by the output") {
   CHECK(run({a, "--filter", "linear:0", "-o", a}).status == 2);
   CHECK(run({a, "--filter", "linear:0", "-o", folder / "same.exr"}).status == 2);
   CHECK(bytes_of(a) == before);
+}
+
+TEST_CASE("image command: --physical fails where a pixel is no light, and where one is no number") {
+  const Folder folder;
+  Image image(1, 1, {"S0", "S1", "S2", "S3"});
+  const std::string file = folder / "pixel.exr";
+  const auto status_of = [&](float s1) {
+    image.data = {1, s1, 0, 0};
+    renderer::write_exr(file, image);
+    return run({file, "--physical"}).status;
+  };
+  CHECK(status_of(1) == 0);
+  CHECK(status_of(1.1F) == 1);
+  CHECK(status_of(std::numeric_limits<float>::quiet_NaN()) == 1);
 }
