@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the tables of docs/performance.md anew, between the comments that name them, from what benchmarks/run_all.sh has measured.
+"""Writes the tables of times in README.md and docs anew, between the comments that name them, from what benchmarks/run_all.sh has
+measured.
 
     docs/make_tables.py OUT
 
@@ -11,7 +12,7 @@ import pathlib
 import re
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parent / "performance.md"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def table(head, rows):
@@ -83,23 +84,53 @@ def scaling(rows):
     return table(["scene", "algorithm", "mode", f"speed of {most} threads, of one's"], listed)
 
 
+def variants(rows):
+    """The paper's rows."""
+    pictures = {}
+    for r in rows:
+        pictures.setdefault((r["scene"], r["algorithm"]), {})[r["variant"]] = r
+    listed = []
+    for (scene, algorithm), v in pictures.items():
+        if v.get("optimized", {}).get("paper_ratio") and v["naive"]["paper_ratio"]:
+            naive, optimized = v["naive"], v["optimized"]
+            listed.append([f"`{scene}`", f"`{algorithm}`", f"{v['unpolarized']['paths_per_second'] / 1000:.0f}",
+                           f"{naive['ratio']:.3f} ({naive['paper_ratio']:.2f})",
+                           f"{optimized['ratio']:.3f} ({optimized['paper_ratio']:.2f}), {optimized['ratio_low']:.3f}–{optimized['ratio_high']:.3f}",
+                           f"{v['auto']['ratio']:.3f}"])
+    head = ["scene", "algorithm", "unpolarized, 10³ paths/s", "naive (the paper's)", "optimized (the paper's)", "auto"]
+    return "\n".join(["| " + " | ".join(head) + " |", "|---|---|--:|---|---|---|"] + ["| " + " | ".join(r) + " |" for r in listed])
+
+
+def operations(text, old):
+    """Of benchmark_algebra's first table, which is of float, the operations that the old table has."""
+    measured = {line.split("|")[1].strip(): line for line in text.split("### RGB, double")[0].splitlines() if line.startswith("| ")}
+    head, line, *rows = old.strip().splitlines()
+    return "\n".join([head, line, *(measured[row.split("|")[1].strip()] for row in rows)])
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: docs/make_tables.py OUT")
-    text, measured = PAGE.read_text(encoding="utf-8"), pathlib.Path(sys.argv[1])
-    for make, name in ((profile, "profile"), (limits, "limits"), (convergence, "convergence"), (samplers, "convergence"), (scaling, "scaling")):
+    measured = pathlib.Path(sys.argv[1])
+    performance = "docs/performance.md"
+    for make, source, page in ((variants, "variants.json", "README.md"), (variants, "variants.json", "docs/bidirectional.md"),
+                               (operations, "algebra.md", "README.md"), (profile, "profile.json", performance),
+                               (limits, "limits.json", performance), (convergence, "convergence.json", performance),
+                               (samplers, "convergence.json", performance), (scaling, "scaling.json", performance)):
+        text = (ROOT / page).read_text(encoding="utf-8")
+        begin, end = f"<!-- {make.__name__} -->\n", f"<!-- /{make.__name__} -->\n"
+        place = re.search(re.escape(begin) + "(.*?)" + re.escape(end), text, flags=re.DOTALL)
+        if not place:
+            sys.exit(f"make_tables.py: {page}: there is no place for {make.__name__}")
         try:
-            made = make(json.loads((measured / f"{name}.json").read_text(encoding="utf-8")))
+            found = (measured / source).read_text(encoding="utf-8")
+            made = make(found, place[1]) if make is operations else make(json.loads(found))
         except FileNotFoundError as error:
             print(f"make_tables.py: {make.__name__}: skipped: there is no {error.filename}", file=sys.stderr)
             continue
         except (ValueError, KeyError) as error:
-            sys.exit(f"make_tables.py: {name}.json: {error!r}")
-        begin, end = f"<!-- {make.__name__} -->\n", f"<!-- /{make.__name__} -->\n"
-        text, count = re.subn(re.escape(begin) + ".*?" + re.escape(end), lambda _, m=made: f"{begin}\n{m}\n\n{end}", text, flags=re.DOTALL)
-        if count != 1:
-            sys.exit(f"make_tables.py: {PAGE}: there is no place for {make.__name__}")
-    PAGE.write_text(text, encoding="utf-8")
+            sys.exit(f"make_tables.py: {source}: {error!r}")
+        (ROOT / page).write_text(text[:place.start()] + f"{begin}\n{made}\n\n{end}" + text[place.end():], encoding="utf-8")
 
 
 if __name__ == "__main__":
