@@ -154,6 +154,15 @@ class Scatterer<WithMedia> {
   const Medium* medium_ = nullptr;
 };
 
+/// What a BSDF has for its matrix, or, for families that multiply with matrices alone, the matrix.
+template <class R, class F>
+MALUS_INLINE decltype(auto) as_taken_by(const F& f) {
+  if constexpr (requires(typename R::Light light) { R::scatter(f, light); })
+    return (f);
+  else
+    return PlasticMueller(f);
+}
+
 /// Light that arrives at a point, after scattering in directions whose value() is known. Where it
 /// is depolarised next, no more is made of it than its intensity.
 template <class R, class M>
@@ -166,7 +175,7 @@ typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
     if (!reads_polarization && R::is_unpolarized(light))
       return R::unpolarized(value.m00 * R::intensity(light));
     return scatterer.template with_scattering<R>(p, incident, exitant, value, [&](const auto& f) {
-      return R::scatter(f, light, reads_polarization);
+      return R::scatter(as_taken_by<R>(f), light, reads_polarization);
     });
   }
 }
@@ -176,8 +185,9 @@ template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& known,
                           Tracing tracing, const BsdfSampleOf<R>& sample, float factor,
                           const typename R::Light& light) {
-  return scatterer.template with_weight<R>(p, known, tracing, sample, factor,
-                                           [&](const auto& f) { return R::scatter(f, light); });
+  return scatterer.template with_weight<R>(p, known, tracing, sample, factor, [&](const auto& f) {
+    return R::scatter(as_taken_by<R>(f), light);
+  });
 }
 
 }  // namespace renderer
