@@ -4,10 +4,11 @@
 # Installs what is missing, builds everything and runs every test, in these stages, any of which can be asked for alone
 # (`tests/run.sh asan format`):
 #   release  everything with the system's compiler, optimised: all tests, compile-fail and package tests among them
-#   clang    everything with Clang 16, unoptimised, and the library's tests with it
-#   asan     the tests under the address and undefined behaviour sanitizers; of the latter without the checks of pointers
-#            that the former makes as well, which take most of the time to compile
-#   fuzz     every reader of files and arguments under libFuzzer and the sanitizers, for a few seconds each
+#   asan     everything with Clang 16: the tests under the address and undefined behaviour sanitizers (of the latter without
+#            the checks of pointers that the former makes as well, which take most of the time to compile); the benchmarks,
+#            which are compiled alone
+#   fuzz     every reader of files and arguments under libFuzzer and the sanitizers, for a few seconds each; by what asan
+#            has compiled
 #   tsan     every integrator on several threads under the thread sanitizer (asked for alone only)
 #   format   clang-format finds nothing to change
 #   tidy     clang-tidy finds nothing to object to
@@ -16,11 +17,11 @@ set -uo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 2
 
 stages=("$@")
-((${#stages[@]})) || stages=(release clang asan fuzz format tidy)
+((${#stages[@]})) || stages=(release asan fuzz format tidy)
 for stage in "${stages[@]}"; do
   case $stage in
-    release | clang | asan | fuzz | tsan | format | tidy) ;;
-    *) echo "tests/run.sh: no stage is called '$stage'; there are release, clang, asan, fuzz, tsan, format and tidy" >&2; exit 2 ;;
+    release | asan | fuzz | tsan | format | tidy) ;;
+    *) echo "tests/run.sh: no stage is called '$stage'; there are release, asan, fuzz, tsan, format and tidy" >&2; exit 2 ;;
   esac
 done
 
@@ -77,21 +78,16 @@ attribute() {
   echo "${value:-0}"
 }
 
-# The benchmarks are compiled, unoptimised, in the clang stage alone: they take longer than all the rest.
+# The benchmarks are compiled, unoptimised, in the stage "asan" alone: they take longer than all the rest.
 stage_release() {
   check "release: build" build release -DMALUS_BUILD_BENCHMARKS=OFF && run_ctest release
-}
-
-stage_clang() {
-  check "clang: build" build clang &&
-    run_ctest clang --label-exclude 'package|compile_fail' --exclude-regex '^(renderer_tests|guard):'
 }
 
 # Without the longest comparisons of pictures, whose code the shorter ones run through as well.
 stage_asan() {
   local long='agree: (diffuse|glossy|glass|bathroom)\.xml|merges that weigh as much|every kind of light|sheets before the light|small errors are caught|strategies: each alone'
   long+='|media agree: (a scene full|dense bodies|extinction|media within|density|each strategy)|slab: (Natraj|IPRT)'
-  check "asan: build" build asan -DMALUS_BUILD_BENCHMARKS=OFF &&
+  check "asan: build" build asan &&
     run_ctest asan --label-exclude 'package|compile_fail' --exclude-regex "^(docs|guard):|$long"
 }
 

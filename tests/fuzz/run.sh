@@ -3,8 +3,8 @@
 #
 # Fuzzes everything that reads files or arguments: `tests/fuzz/run.sh [-k CORPUS] SECONDS [FUZZER...]` gives each of the
 # fuzzers (scene, mesh, picture, volume, arguments; all by default) so many seconds, beginning from the corpus beside this
-# script, and says how many inputs each has run. What is found lies in build/fuzz/found; with -k what is learnt is kept in
-# a folder, to go on from. Builds first, with the preset "fuzz". Exits with 1 if a fuzzer found something.
+# script, and says how many inputs each has run. What is found lies in build/asan/found; with -k what is learnt is kept in
+# a folder, to go on from. Builds first, with the preset "asan". Exits with 1 if a fuzzer found something.
 set -uo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit 2
 
@@ -19,10 +19,10 @@ shift
 fuzzers=("$@")
 ((${#fuzzers[@]})) || fuzzers=(scene mesh picture volume arguments)
 
-cmake --preset fuzz >/dev/null && cmake --build --preset fuzz --parallel "$(nproc)" --target "${fuzzers[@]/#/fuzz_}" || exit 1
+cmake --preset asan >/dev/null && cmake --build --preset asan --parallel "$(nproc)" --target "${fuzzers[@]/#/fuzz_}" || exit 1
 
-corpus=$PWD/tests/fuzz/corpus dictionary=$PWD/tests/fuzz/scene.dict found=$PWD/build/fuzz/found
-programs=$PWD/build/fuzz/tests/fuzz
+corpus=$PWD/tests/fuzz/corpus dictionary=$PWD/tests/fuzz/scene.dict found=$PWD/build/asan/found
+programs=$PWD/build/asan/tests/fuzz
 mkdir -p "$found"
 learnt=${kept:-$(mktemp -d)}
 log=$(mktemp)
