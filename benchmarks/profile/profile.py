@@ -33,7 +33,7 @@ RULES = [
     (r"renderer/core/(sampler|sobol)", "sampler"),
     (r"renderer/film/", "film"),
     (r"renderer/geometry/", "rays"),
-    (r"integrators/photon_map", "photon map"),
+    (r"integrators/photon_map|core/prefetch", "photon map"),
     (r"integrators/visibility|renderer/emitters/|scene/scene", "lights and shadow rays"),
     (r"integrators/mis", "weights"),
     (r"renderer/bsdfs/|renderer/textures/|integrators/scatterer", "BSDFs"),

@@ -46,7 +46,8 @@ void measure(const Arguments& a, const std::string& tau, const std::string& albe
     std::printf(" %.5f ± %.5f |", total.mean(3 * i), error[3 * i]);
   const double relative = error[0] / total.mean(0);
   std::printf(" %.2f | %.4f |\n",
-              relative * std::sqrt(static_cast<double>(rendering.samples_per_pixel)),
+              // Of the scene's one pixel.
+              relative * std::sqrt(static_cast<double>(rendering.counters.samples)),
               relative * std::sqrt(rendering.seconds));
   std::fflush(stdout);
 }
