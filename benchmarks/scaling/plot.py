@@ -32,7 +32,7 @@ def panel(number, dimension, rows, scenes):
         title = f'title "{scene}, {algorithm}"' if mode == "optimized" else "notitle"
         plots.append(f"{name} using 1:2 with linespoints {style} dt {1 if mode == 'optimized' else 2} {title}")
     ticks = sorted({r["value"] for r in rows})
-    commands = [f'set xlabel "{NAMES[dimension]}" noenhanced', "set xtics (" + ", ".join(str(t) for t in ticks) + ")",
+    commands = [f'set xlabel "{NAMES[dimension]}" noenhanced', "set xtics (" + ", ".join(f'"{t}" {t}' for t in ticks) + ")",
                 f"set xrange [{ticks[0] / 1.15}:{ticks[-1] * 1.15}]", "set yrange [*:*]"]
     if of_threads:
         commands += ["unset logscale", 'set ylabel "speed, of one thread\'s"', "set yrange [0:*]",
