@@ -10,6 +10,7 @@
 #include <malus/analyzer.hpp>
 #include <malus/change_frame.hpp>
 #include <malus/config.hpp>
+#include <malus/deferred_sweep.hpp>
 #include <malus/equality.hpp>
 #include <malus/error.hpp>
 #include <malus/form.hpp>

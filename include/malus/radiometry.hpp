@@ -52,7 +52,7 @@ struct Polarized {
   template <MuellerForm Form>
   using ScatteringAs = Mueller<V, incident, exitant, frame, frame, Form>;
   using Transmittance = Mueller<V, exitant, incident>;
-  using Importance = malus::Importance<V, incident>;
+  using Importance = malus::Importance<V, incident, frame, ImportanceForm::plain>;
   using CameraPath = PathSweep<V>;
   using RowPath = RowSweep<V>;
   static constexpr bool polarized = true;

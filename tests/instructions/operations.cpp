@@ -2,6 +2,7 @@
 // The operations that renderers spend their time in, each in a function of its own, over operands
 // that the compiler knows nothing about. Under callgrind the functions' instructions are counted
 // (compare.sh); by itself this program only checks that it runs.
+#include <malus/deferred_sweep.hpp>
 #include <malus/optics/fresnel.hpp>
 #include <malus/path_sweep.hpp>
 #include <malus/product.hpp>
@@ -118,6 +119,23 @@ COUNTED path_sweep(const Operands& o) {
   });
 }
 
+/// The same with its mirrors remembered.
+COUNTED deferred_sweep(const Operands& o) {
+  using Light = malus::Stokes<Value, exitant>;
+  using Mirror = decltype(malus::dielectric_reflection<Value>(0.0F, 1.5F, o.frame[0], o.frame[0]));
+  malus::DeferredSweep<Value, Mirror> sweep;
+  over_all([&](std::size_t i) {
+    sweep.begin();
+    const auto mirror =
+        malus::dielectric_reflection<Value>(o.numbers[i][0], 1.5F, o.frame[i], o.turned_frame[i]);
+    for (int bounce = 0; bounce < 3; ++bounce) sweep.scatter() = mirror;
+    sweep.deposit(Light::unpolarized(Value(1.0F)));
+    return sweep.result([](const Mirror& m, const Light& light, bool) -> Light {
+      return m * malus::propagate(light);
+    });
+  });
+}
+
 #undef COUNTED
 
 }  // namespace counted
@@ -137,4 +155,5 @@ int main() {
   counted::dielectric_reflection(operands);
   counted::conductor_reflection(operands);
   counted::path_sweep(operands);
+  counted::deferred_sweep(operands);
 }

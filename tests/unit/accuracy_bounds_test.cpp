@@ -288,15 +288,18 @@ void measure_products(Bounds& bounds) {
                    sixteen(malus::Mueller<T>(left) * propagate(malus::Mueller<T>(right))),
                    sixteen(multiply(p.exact_rows, turn(exit, enter), q.exact_rows)), two);
   }
-  // The sweep of a path of 20 vertices, in units of its largest possible result.
+  // The sweeps of a path of 20 vertices, in units of its largest possible result.
   for (int i = 0; i < 200; ++i) {
     const Exact3 d = direction(random);
     malus::PathSweep<T> sweep;
+    malus::DeferredSweep<T, malus::Mueller<T>> deferred;
     std::vector<Operand<T>> vertices;
     for (int k = 0; k < 20; ++k) {
       vertices.push_back(operand<T>(d, k % 2 == 0, 0.5, random));
       sweep.deposit(vertices.back().light);
       sweep.scatter(vertices.back().matrix);
+      deferred.deposit(vertices.back().light);
+      deferred.scatter() = vertices.back().matrix;
     }
     ExactStokes light{};
     Exact scale = 0;
@@ -310,6 +313,11 @@ void measure_products(Bounds& bounds) {
       for (const Exact x : light) scale = std::max(scale, std::abs(x));
     }
     bounds.compare("PathSweep::result", four(sweep.result()), light, scale);
+    const auto acted = deferred.result([](const auto& matrix, const auto& arriving, bool) {
+      return malus::Stokes<T>(matrix * propagate(arriving));
+    });
+    bounds.compare("DeferredSweep::result", four(acted.expressed_in(vertices[0].light.frame())),
+                   light, scale);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <malus/deferred_sweep.hpp>
 #include <malus/importance.hpp>
 #include <malus/path_sweep.hpp>
 
@@ -175,8 +176,36 @@ malus::Mueller<V> mueller_of(const Event& e) {
   }
 }
 
+/// A DeferredSweep of matrices, told of a path as a PathSweep is.
 template <class V>
-malus::Stokes<V> swept(const Path& path, malus::PathSweep<V>& sweep) {
+class RememberedMatrices {
+  using Light = malus::Stokes<V>;
+  using Matrix = malus::Mueller<V>;
+
+ public:
+  void begin() { sweep_.begin(); }
+  void deposit(const Light& light) { sweep_.deposit(light); }
+  void scatter(const Matrix& m) {
+    if (m.form() == MuellerForm::depolarizing)
+      sweep_.depolarize(m.m00());
+    else
+      sweep_.scatter() = m;
+  }
+  void attenuate(const V& transmittance) { sweep_.attenuate(transmittance); }
+  Light result() const {
+    return sweep_.result([](const Matrix& m, const Light& light, bool reads_polarization) {
+      const Light scattered = m * malus::propagate(light);
+      return reads_polarization ? scattered : Light::unpolarized(scattered.intensity());
+    });
+  }
+  const auto& sweep() const { return sweep_; }
+
+ private:
+  malus::DeferredSweep<V, Matrix> sweep_;
+};
+
+template <class V, class Sweep>
+malus::Stokes<V> swept(const Path& path, Sweep& sweep) {
   for (std::size_t k = 0; k < path.deposits.size(); ++k) {
     for (const Deposit& d : path.deposits[k]) sweep.deposit(light_of<V>(d));
     if (k < path.events.size()) sweep.scatter(mueller_of<V>(path.events[k]));

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <malus/deferred_sweep.hpp>
 #include <malus/importance.hpp>
 #include <malus/optics/extinction.hpp>
 #include <malus/optics/polarizer.hpp>
@@ -21,15 +22,15 @@ namespace {
 
 using namespace path_sweep_test;
 
-template <class V>
+template <class V, class Sweep = malus::PathSweep<V>>
 void check_random_paths(double tolerance, std::size_t lit) {
   Random random(90);
-  malus::PathSweep<V> sweep;
+  Sweep sweep;
   for (int trial = 0; trial < 2000; ++trial) {
     CAPTURE(trial);
     const Path path = random_path(random, every_form, lit);
     sweep.begin();
-    const auto light = swept(path, sweep);
+    const auto light = swept<V>(path, sweep);
     const auto result = measured(light, path), expected = carried<V>(path);
     const auto naive = by_matrices(path);
     double apart = 0;
@@ -55,6 +56,54 @@ TEST_CASE("the sweep is the carried importance and the product of full matrices,
 TEST_CASE("the sweep leaves tails without light out, and paths without any are no light") {
   for (const std::size_t lit : {std::size_t{0}, std::size_t{1}, std::size_t{2}})
     check_random_paths<double>(1e-12, lit);
+}
+
+TEST_CASE("matrices that are remembered give what the sweep does, path by path") {
+  for (const std::size_t lit : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{6}}) {
+    check_random_paths<double, RememberedMatrices<double>>(1e-12, lit);
+    check_random_paths<Double3, RememberedMatrices<Double3>>(1e-12, lit);
+  }
+  check_random_paths<malus::Rgb, RememberedMatrices<malus::Rgb>>(2e-4, 6);
+}
+
+TEST_CASE("of a remembered path nothing is looked at behind its last light") {
+  RememberedMatrices<double> path;
+  const auto& sweep = path.sweep();
+  const auto looked_at = [&] {
+    std::size_t events = 0;
+    static_cast<void>(sweep.result([&](const auto&, const auto& light, bool) {
+      ++events;
+      return light;
+    }));
+    return events;
+  };
+  CHECK(sweep.is_dark());
+  // More than a path has room for from the beginning.
+  for (int k = 0; k < 20; ++k) path.scatter(malus::Mueller<double>::plain(0.5));
+  CHECK(looked_at() == 0);
+  CHECK(path.result().form() == malus::StokesForm::zero);
+  path.deposit(malus::Stokes<double>::unpolarized(1));
+  CHECK_FALSE(sweep.is_dark());
+  path.scatter(malus::Mueller<double>::depolarizing(0.5));
+  path.scatter(malus::Mueller<double>::plain(0.5));
+  CHECK(looked_at() == 20);
+  CHECK(path.result()[0] == std::pow(0.5, 20));
+  CHECK(sweep.scatterings() == 22);
+  CHECK(sweep.evaluated() == 20);
+}
+
+TEST_CASE("where the intensity alone is read, remembered matrices are told") {
+  Random random(99);
+  const auto frame = random.frame();
+  RememberedMatrices<double> path;
+  CHECK(path.sweep().reads_polarization());
+  path.scatter(malus::Mueller<double>::depolarizing(0.5));
+  CHECK_FALSE(path.sweep().reads_polarization());
+  path.scatter(malus::linear_polarizer(1.0, frame));
+  CHECK(path.sweep().reads_polarization());
+  path.deposit({1, 1, 0, 0, frame});
+  CHECK(path.result().form() == malus::StokesForm::unpolarized);
+  CHECK(path.result()[0] == doctest::Approx(0.5));
 }
 
 TEST_CASE("a path that was only begun is no light and carries all") {
@@ -114,7 +163,7 @@ TEST_CASE("begin() forgets a path: the same sweep gives what a new one does") {
     const Path path = random_path(random, every_form, 6);
     used.begin();
     malus::PathSweep<double> fresh;
-    const auto a = swept(path, used), b = swept(path, fresh);
+    const auto a = swept<double>(path, used), b = swept<double>(path, fresh);
     CHECK(a.form() == b.form());
     CHECK(used.throughput() == fresh.throughput());
     for (std::size_t i = 0; i < 4; ++i) CHECK(a[i] == b[i]);
@@ -131,7 +180,7 @@ TEST_CASE("results can be asked for along the way and change nothing") {
       static_cast<void>(asked.result());
       if (k < path.events.size()) asked.scatter(mueller_of<double>(path.events[k]));
     }
-    CHECK(asked.result()[0] == swept(path, quiet)[0]);
+    CHECK(asked.result()[0] == swept<double>(path, quiet)[0]);
   }
 }
 
@@ -153,7 +202,7 @@ TEST_CASE("where nothing polarises, the sum of intensities is the sweep, through
       if (k < path.events.size()) sum.scatter(mueller_of<Double3>(path.events[k]).m00());
     }
     sweep.begin();
-    const auto light = swept(path, sweep);
+    const auto light = swept<Double3>(path, sweep);
     CHECK(sweep.throughput() == sum.throughput());
     CHECK(light.form() != malus::StokesForm::full);
     for (std::size_t c = 0; c < 3; ++c)
@@ -180,6 +229,7 @@ TEST_CASE("what is lost on the way is lost by all that comes after, and by nothi
   for (int trial = 0; trial < 200; ++trial) {
     const Path path = random_path(random, every_form, 6);
     malus::PathSweep<double> attenuated, scattered;
+    RememberedMatrices<double> remembered;
     malus::PathSum<double> sum, expected_sum;
     for (std::size_t k = 0; k < path.deposits.size(); ++k) {
       // Light of a medium itself comes before, between and after.
@@ -187,6 +237,8 @@ TEST_CASE("what is lost on the way is lost by all that comes after, and by nothi
         const double left = random.unit();
         attenuated.deposit(light_of<double>(d));
         attenuated.attenuate(left);
+        remembered.deposit(light_of<double>(d));
+        remembered.attenuate(left);
         scattered.deposit(light_of<double>(d));
         scattered.scatter(malus::Mueller<double>::plain(left));
         sum.deposit(d.stokes[0][0]);
@@ -196,14 +248,20 @@ TEST_CASE("what is lost on the way is lost by all that comes after, and by nothi
       }
       if (k == path.events.size()) break;
       attenuated.scatter(mueller_of<double>(path.events[k]));
+      remembered.scatter(mueller_of<double>(path.events[k]));
       scattered.scatter(mueller_of<double>(path.events[k]));
     }
     attenuated.deposit(malus::Stokes<double>::unpolarized(1));
+    remembered.deposit(malus::Stokes<double>::unpolarized(1));
     scattered.deposit(malus::Stokes<double>::unpolarized(1));
     CHECK(attenuated.throughput() == doctest::Approx(scattered.throughput()));
     CHECK(sum.result() == expected_sum.result());
     const auto a = measured(attenuated.result(), path), b = measured(scattered.result(), path);
-    for (std::size_t i = 0; i < 4; ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-12));
+    const auto c = measured(remembered.result(), path);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-12));
+      CHECK(c[i] == doctest::Approx(b[i]).epsilon(1e-12));
+    }
   }
 }
 

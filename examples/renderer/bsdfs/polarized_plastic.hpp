@@ -50,7 +50,8 @@ struct PolarizedPlastic {
   }
 
   template <class Value>
-  Value value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+  MALUS_INLINE Value value(const SurfacePoint& point, const Vec3& incident,
+                           const Vec3& exitant) const {
     const float cos_i = glm::dot(point.normal, incident), cos_o = glm::dot(point.normal, exitant);
     if (cos_i <= 0 || cos_o <= 0) return {};
     const auto lobe = facets.reflection(point, incident, exitant);

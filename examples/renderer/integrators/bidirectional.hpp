@@ -254,8 +254,9 @@ class BidirectionalIntegrator {
                               v.mis.connected(value.pdf_exitant, v.merge);
     const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
     const float cosine = v.scatterer.cosine(v.hit, light.direction);
-    const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * w)));
-    path_.deposit(v.hit, light.direction, v.exitant, v.scatterer, value, arriving);
+    visibility_.emitted(light.radiance * (cosine * w), [&](const auto& arriving) {
+      path_.deposit(v.hit, light.direction, v.exitant, v.scatterer, value, arriving);
+    });
   }
 
   /// Connects two vertices, z of the camera's path and y of the light's.

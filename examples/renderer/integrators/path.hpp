@@ -137,8 +137,9 @@ class PathIntegrator {
     const float found = value.pdf_incident * arrival_chance(visibility_.transmittance());
     const float share = 1 / (light.pdf + (light.is_delta ? 0.0f : found));
     const float cosine = scatterer.cosine(hit, light.direction);
-    const auto arriving = visibility_.through(R::unpolarized(light.radiance * (cosine * share)));
-    path_.deposit(hit, light.direction, exitant, scatterer, value, arriving);
+    visibility_.emitted(light.radiance * (cosine * share), [&](const auto& arriving) {
+      path_.deposit(hit, light.direction, exitant, scatterer, value, arriving);
+    });
   }
 
   /// As many sheets as a path that finds the light by itself would be allowed.

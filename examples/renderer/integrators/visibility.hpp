@@ -56,6 +56,18 @@ class Visibility {
     return through(light) * factor;
   }
 
+  /// What is left of light that a light sends, for `use`: unpolarised, for all that a compiler
+  /// sees, where nothing on the way can have changed that.
+  template <class Use>
+  MALUS_INLINE void emitted(const Rgb& radiance, Use&& use) {
+    if constexpr (M::present) {
+      if (!has_acted_) return use(R::unpolarized(radiance * attenuation_));
+    } else {
+      if (!scene_.has_passages() || passed_ == 0) return use(R::unpolarized(radiance));
+    }
+    use(through(R::unpolarized(radiance)));
+  }
+
   /// How many sheets and masks open() has let light through.
   int passed() const { return scene_.has_passages() ? passed_ : 0; }
   /// Of the media on the way, for unpolarised light, as MIS weights know it.

@@ -80,8 +80,12 @@ class Sensor {
     return parts * volume_ / (4 * lens_.half_extent.x * lens_.half_extent.y * z * z * z);
   }
 
-  /// The frame of light that arrives along a camera ray: x is right and y up in the picture.
+  /// The frame of light that arrives along a camera ray: x is right and y up in the picture. Axes
+  /// of any length: rotations need no more.
   malus::Frame<float> frame(const Vec3& ray_direction) const {
+    const Vec3 right = glm::cross(ray_direction, up_);
+    if (glm::dot(right, right) > 1e-6f)
+      return malus::Frame<float>::from_direction_and_x(-ray_direction, right);
     const auto upright = malus::Frame<float>::toward(-ray_direction, up_);
     return {-upright.y(), upright.x()};
   }
