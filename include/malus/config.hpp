@@ -24,15 +24,33 @@
 #endif
 #endif
 
+/// 1: small operations are inlined even where a compiler would rather call them, which fast code
+/// needs and slow code takes several times as long to compile for. By default where compilers
+/// optimise; 0 suits sanitizers.
+#if !defined(MALUS_FORCE_INLINE)
+#if defined(__OPTIMIZE__) || (defined(_MSC_VER) && !defined(_DEBUG))
+#define MALUS_FORCE_INLINE 1
+#else
+#define MALUS_FORCE_INLINE 0
+#endif
+#endif
+
 // MALUS_INLINE_LAMBDA is MALUS_INLINE for a lambda, after its parameters.
-#if defined(_MSC_VER) && !defined(__clang__)
-#define MALUS_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
+#if !MALUS_FORCE_INLINE
+#define MALUS_INLINE inline
+#define MALUS_INLINE_LAMBDA
+#elif defined(_MSC_VER) && !defined(__clang__)
 #define MALUS_INLINE __forceinline
 #define MALUS_INLINE_LAMBDA
 #else
-#define MALUS_NO_UNIQUE_ADDRESS [[no_unique_address]]
 #define MALUS_INLINE inline __attribute__((always_inline))
 #define MALUS_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
+#if defined(_MSC_VER) && !defined(__clang__)
+#define MALUS_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
+#else
+#define MALUS_NO_UNIQUE_ADDRESS [[no_unique_address]]
 #endif
 
 /// 1: the values of a Spectrum lie in vector types of GNU's compilers, which Clang has, too. 0: in

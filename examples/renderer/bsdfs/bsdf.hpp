@@ -19,15 +19,6 @@ namespace renderer {
 template <class B>
 inline constexpr bool is_sheet_kind = std::derived_from<B, StraightThrough<B>>;
 
-/// As a flagged matrix, whatever type a kind's scattering has.
-template <class R, class F>
-typename R::Scattering as_scattering(const F& f) {
-  if constexpr (std::same_as<F, CoatOverBase>)
-    return PlasticMueller(f);
-  else
-    return f;
-}
-
 class Bsdf {
  public:
   using Kind = std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric,
@@ -133,13 +124,13 @@ class Bsdf {
   typename R::Scattering weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
                                 const BsdfSampleOf<R>& sample) const {
     return with_weight<R>(point, known, tracing, sample, 1,
-                          [](const auto& f) { return as_scattering<R>(f); });
+                          [](const auto& f) -> typename R::Scattering { return as_matrix(f); });
   }
   template <class R>
   typename R::Scattering scattering(const SurfacePoint& point, const Vec3& incident,
                                     const Vec3& exitant, const BsdfValueOf<R>& value) const {
     return with_scattering<R>(point, incident, exitant, value,
-                              [](const auto& f) { return as_scattering<R>(f); });
+                              [](const auto& f) -> typename R::Scattering { return as_matrix(f); });
   }
 
   /// What a sheet does to light that passes along a direction.

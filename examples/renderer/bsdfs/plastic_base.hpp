@@ -4,6 +4,8 @@
 // light that leaves is polarised, along the plane of emission.
 #pragma once
 
+#include <concepts>
+
 #include "sample.hpp"
 
 namespace renderer {
@@ -126,5 +128,14 @@ struct CoatOverBase {
     }
   }
 };
+
+/// A matrix, whatever a BSDF has for it.
+template <class F>
+MALUS_INLINE decltype(auto) as_matrix(const F& f) {
+  if constexpr (std::same_as<F, CoatOverBase>)
+    return PlasticMueller(f);
+  else
+    return (f);
+}
 
 }  // namespace renderer

@@ -161,15 +161,15 @@ class BidirectionalIntegrator {
       }
 
       BsdfSampleOf<R> sample;
-      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera, path_.polarization(), sampler,
-                              sample))
+      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera,
+                              path_.polarization(v.scatterer), sampler, sample))
         return;
       if (techniques_.first_vertex && !sample.is_delta) return;
       if (!v.scatterer.sides_agree(v.hit, sample.direction)) return;
       eta *= sample.eta;
-      const float survival =
-          survival_chance(settings, v.edges, path_.throughput() * sample.weight * (eta * eta),
-                          v.scatterer.is_medium());
+      const float survival = survival_chance(
+          settings, v.edges, [&] { return path_.throughput() * sample.weight * (eta * eta); },
+          v.scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       path_.scatter(v.hit, v.exitant, v.scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
       mis = v.mis;

@@ -117,7 +117,8 @@ class LightSubpath {
       const float correction =
           incident_correction(scatterer, hit, incident) * cosine / scatterer.cosine(hit, exitant);
       share *= sample.weight * correction;
-      const float survival = survival_chance(settings, edges, share, scatterer.is_medium());
+      const float survival = survival_chance(
+          settings, edges, [&] { return share; }, scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       share *= Rgb(1 / survival);
       light = scatter<R>(scatterer, hit, incident, Tracing::from_light, sample,

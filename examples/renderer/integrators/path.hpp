@@ -79,14 +79,14 @@ class PathIntegrator {
       if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
       BsdfSampleOf<R> sample;
-      if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(), sampler,
-                            sample))
+      if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(scatterer),
+                            sampler, sample))
         return;
       if (!scatterer.sides_agree(hit, sample.direction)) return;
       eta *= sample.eta;
-      const float survival =
-          survival_chance(scene_.integrator, depth + 1,
-                          path_.throughput() * sample.weight * (eta * eta), scatterer.is_medium());
+      const float survival = survival_chance(
+          scene_.integrator, depth + 1,
+          [&] { return path_.throughput() * sample.weight * (eta * eta); }, scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       path_.scatter(hit, exitant, scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
       last = {hit.position, sample.pdf, sample.is_delta};

@@ -10,8 +10,11 @@
 namespace renderer {
 
 /// Keep one a thread.
-template <class R, class M, class Sum>
+template <class R, class M>
 class SummedPath {
+  /// In media, directions may be drawn by what a path carries.
+  using Sum = std::conditional_t<M::present, typename R::RowPath, typename R::CameraPath>;
+
  public:
   explicit SummedPath(Counters& counters) : counters_(counters) {}
 
@@ -31,10 +34,7 @@ class SummedPath {
       scatterer.template with_weight<R>(point, exitant, Tracing::from_camera, sample, factor,
                                         [&](const auto& f) MALUS_INLINE_LAMBDA {
                                           counters_.count(f);
-                                          if constexpr (requires { sum_.scatter(f); })
-                                            sum_.scatter(f);
-                                          else
-                                            sum_.scatter(PlasticMueller(f));
+                                          sum_.scatter(as_matrix(f));
                                         });
   }
   void pass(const typename R::Scattering& sheet) { sum_.scatter(sheet); }
@@ -47,12 +47,19 @@ class SummedPath {
   MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
                             const Scatterer<M>& scatterer, const BsdfValueOf<R>& value,
                             const typename R::Light& light) {
-    deposit_scattered<R>(sum_, point, incident, exitant, scatterer, value, light);
+    sum_.deposit(renderer::scatter<R>(scatterer, point, incident, exitant, value, light,
+                                      sum_.reads_polarization()));
   }
   bool reads_polarization() const { return sum_.reads_polarization(); }
   Rgb throughput() const { return sum_.throughput(); }
   auto result() const { return sum_.result(); }
-  const Sum& sum() const { return sum_; }
+  /// How the row is polarised that is carried, where `scatterer` is to draw by it.
+  typename M::Polarization polarization(const Scatterer<M>&) const {
+    if constexpr (M::present && R::polarized)
+      return LinearPolarization(sum_.row());
+    else
+      return {};
+  }
 
  private:
   Counters& counters_;
