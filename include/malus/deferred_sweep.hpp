@@ -24,12 +24,11 @@ template <SpectralValue V, class Event, RuntimeFrameType F = Frame<scalar_t<V>>>
 class DeferredSweep {
  public:
   using Light = Stokes<V, exitant, F>;
-  using Row = Analyzer<V, exitant, F>;
 
   DeferredSweep() : vertices_(8) { begin(); }
 
   void begin() {
-    current_ = lit_ = read_ = scatterings_ = lit_scatterings_ = 0;
+    current_ = lit_ = scatterings_ = lit_scatterings_ = 0;
     is_lit_ = false;
     vertices_[0].deposit_form = StokesForm::zero;
     forget_factor();
@@ -98,19 +97,6 @@ class DeferredSweep {
     return light;
   }
 
-  /// The part of light that leaves the current vertex that the sensor reads as intensity, e0ᵀ f_1 G
-  /// f_2 G …, as a RowSweep carries it; it is found when it is asked for. `act(row, event)` is what
-  /// light on its way to an event is read by, if `row` reads what the event scatters.
-  template <class Act>
-  MALUS_INLINE Row row(Act&& act) {
-    if (read_ == 0) row_ = Row::intensity(V(1));
-    for (; read_ < current_; ++read_) {
-      const Vertex& v = vertices_[read_];
-      row_ = act(scaled(row_, v.reads_polarization, v.is_scaled, v.scale), v.event);
-    }
-    return scaled(row_, reads_polarization_, is_scaled_, factor_);
-  }
-
  private:
   /// What leaves towards the vertex before, and what is done to light from the next.
   struct Vertex {
@@ -163,12 +149,6 @@ class DeferredSweep {
     }
   }
 
-  /// What reads light that a factor and perhaps a depolarizer are still to act on.
-  static Row scaled(const Row& row, bool reads_polarization, bool is_scaled, const V& by) {
-    if (!reads_polarization) return Row::intensity(is_scaled ? row[0] * by : row[0]);
-    return is_scaled ? row * by : row;
-  }
-
   /// `light` and what a vertex adds to it.
   MALUS_INLINE static void add(const Vertex& v, Light& light) {
     if (v.deposit_form == StokesForm::zero) return;
@@ -198,8 +178,6 @@ class DeferredSweep {
   std::vector<Vertex> vertices_;       // as many as the longest path had
   std::size_t current_ = 0, lit_ = 0;  // vertex; the last that light was deposited at, if any was
   bool is_lit_ = false;
-  std::size_t read_ = 0;  // events that are in the row
-  Row row_;
   std::size_t scatterings_ = 0, lit_scatterings_ = 0;  // so far, and up to the last deposit
   V factor_;                                           // since the current vertex, if it is scaled
   bool is_scaled_ = false;

@@ -55,7 +55,6 @@ struct Polarized {
   using Importance = malus::Importance<V, incident, frame, ImportanceForm::plain>;
   using CameraPath = PathSweep<V>;
   using RowPath = RowSweep<V>;
-  using Row = Analyzer<V, exitant>;  ///< what intensity is read by at the sensor
   static constexpr bool polarized = true;
   static constexpr bool defers = true;
 
@@ -98,16 +97,6 @@ struct Polarized {
     return detail::retag<Light>(propagate(light, t));
   }
   static V m00(const Scattering& f) { return f.m00(); }
-  /// What light on its way to a scattering is read by, if `row` reads what leaves it: rowᵀ f G.
-  template <MuellerForm Form>
-  static Row carry(const Row& row, const ScatteringAs<Form>& f) {
-    return propagate(row * f);
-  }
-  /// The same of a stretch of medium. Measured behind it is what was measured in front of it: G*
-  /// between the two is free space of no length.
-  static Row carry(const Row& row, const Transmittance& t) {
-    return propagate(row * detail::retag<Scattering>(t));
-  }
   /// W_e = [w Id, F_v]: the four Stokes components in the sensor's frame, times w.
   static Importance importance(const V& w, const Frame<scalar_t<V>>& frame) {
     return Importance::plain(w, frame);

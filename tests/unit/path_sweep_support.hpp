@@ -198,9 +198,6 @@ class RememberedMatrices {
       return reads_polarization ? scattered : Light::unpolarized(scattered.intensity());
     });
   }
-  malus::Analyzer<V, exitant> row() {
-    return sweep_.row([](const auto& row, const Matrix& m) { return malus::propagate(row * m); });
-  }
   const auto& sweep() const { return sweep_; }
 
  private:

@@ -297,7 +297,6 @@ TEST_CASE(
   for (int trial = 0; trial < 500; ++trial) {
     const Path path = random_path(random, every_form, 6);
     malus::PathSweep<double> sweep;
-    RememberedMatrices<double> remembered;
     row.begin();
     Carried w = Carried::plain(1, path.sensor);
     for (std::size_t k = 0; k < path.deposits.size(); ++k) {
@@ -308,10 +307,6 @@ TEST_CASE(
         const auto light = light_of<double>(d);
         CHECK(row.row() * light ==
               doctest::Approx((w * malus::propagate(light))[0]).epsilon(1e-10).scale(1));
-        // Asked for at some vertices only.
-        if (random.unit() < 0.5)
-          CHECK(remembered.row() * light ==
-                doctest::Approx((w * malus::propagate(light))[0]).epsilon(1e-10).scale(1));
       }
       CHECK(row.throughput() ==
             doctest::Approx((w * malus::propagate(malus::Stokes<double>::unpolarized(1)))[0])
@@ -324,11 +319,8 @@ TEST_CASE(
       sweep.attenuate(left);
       row.scatter(f);
       row.attenuate(left);
-      remembered.scatter(f);
-      remembered.attenuate(left);
       w = malus::propagate(w) * f * left;
     }
-    CHECK(remembered.row()[0] == doctest::Approx(row.row()[0]).epsilon(1e-10).scale(1));
     const auto a = row.result(), b = sweep.result();
     CHECK(a.form() == b.form());
     for (std::size_t i = 0; i < 4; ++i) CHECK(a[i] == b[i]);

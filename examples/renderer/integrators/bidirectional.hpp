@@ -161,8 +161,8 @@ class BidirectionalIntegrator {
       }
 
       BsdfSampleOf<R> sample;
-      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera,
-                              path_.polarization(v.scatterer), sampler, sample))
+      if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera, path_.polarization(), sampler,
+                              sample))
         return;
       if (techniques_.first_vertex && !sample.is_delta) return;
       if (!v.scatterer.sides_agree(v.hit, sample.direction)) return;

@@ -79,8 +79,8 @@ class PathIntegrator {
       if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
       BsdfSampleOf<R> sample;
-      if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(scatterer),
-                            sampler, sample))
+      if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(), sampler,
+                            sample))
         return;
       if (!scatterer.sides_agree(hit, sample.direction)) return;
       eta *= sample.eta;

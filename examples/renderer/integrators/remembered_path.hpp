@@ -19,13 +19,11 @@ class RememberedPath {
  public:
   explicit RememberedPath(Counters& counters) : counters_(counters) {}
 
-  /// With `carries_row`, directions are drawn by the row that intensity is read by, and what is
-  /// left of a path is told by it.
-  void begin(bool carries_row) {
+  /// Directions are drawn by m00: no row is carried.
+  void begin(bool) {
     sweep_.begin();
     matrices_.clear();
     throughput_ = Rgb(1.0f);
-    carries_row_ = carries_row;
   }
 
   /// The path goes on from a vertex in a drawn direction.
@@ -64,33 +62,16 @@ class RememberedPath {
 
   MALUS_INLINE void deposit(const typename R::Light& light) { sweep_.deposit(light); }
   /// What the current vertex scatters of light that arrives there, in directions whose value() is
-  /// known. Of unpolarised light no more than the matrix's first column is made, and where the
-  /// vertex before depolarises no more than m00.
+  /// known.
   MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
                             const Scatterer<M>& scatterer, const BsdfValueOf<R>& value,
                             const typename R::Light& light) {
-    const bool reads = sweep_.reads_polarization();
-    if (!R::is_unpolarized(light))
-      return sweep_.deposit(
-          renderer::scatter<R>(scatterer, point, incident, exitant, value, light, reads));
-    const Rgb intensity = R::intensity(light);
-    if (!reads || !scatterer.polarizes())
-      return sweep_.deposit(R::unpolarized(value.m00 * intensity));
-    scatterer.template with_scattering<R>(point, incident, exitant, value,
-                                          [&](const auto& f) MALUS_INLINE_LAMBDA {
-                                            sweep_.deposit(R::scatter_unpolarized(f, intensity));
-                                          });
+    deposit_scattered<R>(sweep_, point, incident, exitant, scatterer, value, light);
   }
   /// Whether more is read of light that leaves the current vertex than its intensity.
   bool reads_polarization() const { return sweep_.reads_polarization(); }
 
-  Rgb throughput() { return M::present && carries_row_ ? row()[0] : throughput_; }
-  /// How the row is polarised, where `scatterer` is to draw by it.
-  typename M::Polarization polarization(const Scatterer<M>& scatterer) {
-    if constexpr (M::present)
-      if (carries_row_ && scatterer.is_medium()) return LinearPolarization(row());
-    return {};
-  }
+  const Rgb& throughput() const { return throughput_; }
   typename R::Light result() {
     return sweep_.result([&](const Event& e, const typename R::Light& light, bool reads) {
       if (!e.is_matrix) return act(e, light, reads);
@@ -107,7 +88,6 @@ class RememberedPath {
 
  private:
   using Light = typename R::Light;
-  using Row = typename R::Row;
   using Matrix = std::variant<typename R::Scattering, typename R::Transmittance>;
 
   struct Event {
@@ -145,22 +125,10 @@ class RememberedPath {
                                                });
   }
 
-  Row row() {
-    return sweep_.row([&](const Row& row, const Event& e) {
-      if (!e.is_matrix)
-        return e.scatterer.template with_weight<R>(
-            e.point, e.exitant, Tracing::from_camera, e.sample, e.factor,
-            [&](const auto& f) { return R::carry(row, as_matrix(f)); });
-      return std::visit([&](const auto& matrix) { return R::carry(row, matrix); },
-                        matrices_[e.matrix]);
-    });
-  }
-
   Counters& counters_;
   malus::DeferredSweep<Rgb, Event> sweep_;
   std::vector<Matrix> matrices_;  // of sheets, and of media that polarise what passes through
   Rgb throughput_{1.0f};
-  bool carries_row_ = false;
 };
 
 }  // namespace renderer

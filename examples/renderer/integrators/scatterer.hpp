@@ -180,6 +180,26 @@ typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
   }
 }
 
+/// The same, deposited at a camera path's current vertex. Of unpolarised light no more than the
+/// matrix's first column is made, and where the vertex before depolarises no more than m00.
+template <class R, class M, class Sum>
+MALUS_INLINE void deposit_scattered(Sum& sum, const SurfacePoint& p, const Vec3& incident,
+                                    const Vec3& exitant, const Scatterer<M>& scatterer,
+                                    const BsdfValueOf<R>& value, const typename R::Light& light) {
+  if constexpr (R::defers) {
+    if (R::is_unpolarized(light)) {
+      const Rgb intensity = R::intensity(light);
+      if (!sum.reads_polarization() || !scatterer.polarizes())
+        return sum.deposit(R::unpolarized(value.m00 * intensity));
+      return scatterer.template with_scattering<R>(
+          p, incident, exitant, value, [&](const auto& f) MALUS_INLINE_LAMBDA {
+            sum.deposit(R::scatter_unpolarized(f, intensity));
+          });
+    }
+  }
+  sum.deposit(scatter<R>(scatterer, p, incident, exitant, value, light, sum.reads_polarization()));
+}
+
 /// Light that arrives at a point, after scattering to a drawn direction, times a factor.
 template <class R, class M>
 typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p, const Vec3& known,

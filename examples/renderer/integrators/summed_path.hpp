@@ -10,11 +10,8 @@
 namespace renderer {
 
 /// Keep one a thread.
-template <class R, class M>
+template <class R, class M, class Sum>
 class SummedPath {
-  /// In media, directions may be drawn by what a path carries.
-  using Sum = std::conditional_t<M::present, typename R::RowPath, typename R::CameraPath>;
-
  public:
   explicit SummedPath(Counters& counters) : counters_(counters) {}
 
@@ -47,19 +44,12 @@ class SummedPath {
   MALUS_INLINE void deposit(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant,
                             const Scatterer<M>& scatterer, const BsdfValueOf<R>& value,
                             const typename R::Light& light) {
-    sum_.deposit(renderer::scatter<R>(scatterer, point, incident, exitant, value, light,
-                                      sum_.reads_polarization()));
+    deposit_scattered<R>(sum_, point, incident, exitant, scatterer, value, light);
   }
   bool reads_polarization() const { return sum_.reads_polarization(); }
   Rgb throughput() const { return sum_.throughput(); }
   auto result() const { return sum_.result(); }
-  /// How the row is polarised that is carried, where `scatterer` is to draw by it.
-  typename M::Polarization polarization(const Scatterer<M>&) const {
-    if constexpr (M::present && R::polarized)
-      return LinearPolarization(sum_.row());
-    else
-      return {};
-  }
+  const Sum& sum() const { return sum_; }
 
  private:
   Counters& counters_;
