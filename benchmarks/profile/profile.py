@@ -117,13 +117,18 @@ def look_up(program, addresses):
 def profile(program, scene, integrator, mode, seconds, work):
     """Nanoseconds a path by part, and the samples that say so."""
     data, stats = os.path.join(work, "perf.data"), os.path.join(work, "stats.json")
-    command = ["perf", "record", "-q", "-e", "cpu-clock", "-F", "4000", "-o", data, "--", program, scene, "-o", os.path.join(work, "out.exr"),
-               "--integrator", integrator, "--mode", mode, "--threads", "1", "--time", str(seconds), "--stats", stats]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"profile.py: {' '.join(command)}: {done.stderr.strip()}")
-    with open(stats, encoding="utf-8") as file:
-        facts = json.load(file)
+    render = [program, scene, "-o", os.path.join(work, "out.exr"), "--integrator", integrator, "--mode", mode, "--threads", "1", "--stats", stats]
+
+    def facts_of(command):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(f"profile.py: {' '.join(command)}: {done.stderr.strip()}")
+        with open(stats, encoding="utf-8") as file:
+            return json.load(file)
+
+    # Whole passes: one that is cut short has traced its light paths, but few of its camera paths.
+    passes = max(1, round(seconds / facts_of([*render, "--spp", "1"])["seconds"]))
+    facts = facts_of(["perf", "record", "-q", "-e", "cpu-clock", "-F", "4000", "-o", data, "--", *render, "--spp", str(passes)])
     addresses, libraries = read_samples(data, program)
     files = look_up(program, addresses)
     if addresses and all(f == ["??"] for f in files.values()):
