@@ -86,8 +86,8 @@ part_variants() {
 part_convergence() {
   local budget
   budget=$(awk -v m="$minutes" 'BEGIN { printf "%.4g", m * 0.4 }')
-  run convergence "$build/benchmarks/benchmark_convergence" --budget "$budget" --resolution 64 --variant unpolarized optimized \
-    --sampler independent sobol --repeats 4 --points 5 --cache "$out/references" --json "$out/convergence.json" || return
+  run convergence "$build/benchmarks/benchmark_convergence" --budget "$budget" --resolution 64 --variant unpolarized naive optimized \
+    --sampler independent sobol --repeats 4 --points 5 --target 0.25 0.1 --cache "$out/references" --json "$out/convergence.json" || return
   plot convergence benchmarks/convergence/plot.py "$out/convergence.json" -o "$out/convergence" --sampler independent
   plot convergence benchmarks/convergence/plot.py "$out/convergence.json" --overview "$out/convergence_s0.png" --quantity S0 \
     --variant optimized --sampler independent

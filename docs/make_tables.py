@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def table(head, rows):
     """Of texts; all columns but those of names are numbers."""
-    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("---" if h in ("scene", "algorithm", "mode") else "--:" for h in head) + "|"]
+    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("---" if h in ("scene", "algorithm", "mode", "variant", "error of", "renderer", "pictures") else "--:" for h in head) + "|"]
     return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows])
 
 
@@ -50,20 +50,21 @@ def limits(content):
 def convergence(content):
     target, marks = max(content["settings"]["targets"]), {"measured": "", "at_most": "≤ ", "extrapolated": "≈ "}
     # The plots' sampler: the first.
-    rows = [r for r in content["rows"] if r["variant"] == "optimized" and r["sampler"] == content["settings"]["samplers"][0]]
+    rows = [r for r in content["rows"] if r["sampler"] == content["settings"]["samplers"][0]]
+    variants = list(dict.fromkeys(r["variant"] for r in rows))
     algorithms, listed = list(dict.fromkeys(r["algorithm"] for r in rows)), []
     for scene in dict.fromkeys(r["scene"] for r in rows):
-        for quantity in ("S0", "S1-S3"):
+        for quantity, variant in ((q, v) for q in ("S0", "S1-S3") for v in variants):
             cells = []
             for algorithm in algorithms:
-                found = [t for r in rows if r["scene"] == scene and r["algorithm"] == algorithm for t in r["time_to"]
+                found = [t for r in rows if (r["scene"], r["algorithm"], r["variant"]) == (scene, algorithm, variant) for t in r["time_to"]
                          if t["quantity"] == quantity and t["error"] == target]
                 cells.append(marks[found[0]["how"]] + number(found[0]["seconds"]) if found else "—")
             if any(c != "—" for c in cells):
-                listed.append([scene, quantity.replace("-", "–"), *cells])
-    return (f"Seconds to a relative error of {target:g} (`optimized`, {content['settings']['resolution']} pixels across; ≤: at the first point "
+                listed.append([scene, quantity.replace("-", "–"), variant, *cells])
+    return (f"Seconds to a relative error of {target:g} ({content['settings']['resolution']} pixels across; ≤: at the first point "
             "already; ≈: along the line through the last three; —: more than 30 times as long as was measured, or never).\n\n" +
-            table(["scene", "error of", *algorithms], listed))
+            table(["scene", "error of", "variant", *algorithms], listed))
 
 
 def samplers(content):
@@ -101,6 +102,27 @@ def variants(rows):
     return "\n".join(["| " + " | ".join(head) + " |", "|---|---|--:|---|---|---|"] + ["| " + " | ".join(r) + " |" for r in listed])
 
 
+def peers(content):
+    """Polarised renderers alone."""
+    agreements = {(a["scene"], a["form"], a["variant"]): a for a in content["agreement"]}
+    listed = []
+    for t in (t for t in content["timings"] if t["polarized"]):
+        ours = next(o for o in content["timings"] if (o["scene"], o["form"], o["variant"]) == (t["scene"], t["form"], "path, optimized"))
+        agreement = agreements.get((t["scene"], t["form"], t["variant"]))
+        gains = [f"{c['gain']:.3f} ± {c['gain_error']:.3f}" if c["gain"] is not None and c["gain_error"] < 0.5 else "–" for c in agreement["components"][1:]] if agreement else [""] * 3
+        to_equal = [f"{ours[key] / t[key]:.2f}" if t[key] and ours[key] else "–" for key in ("seconds_to_error_s0", "seconds_to_error_s123")]
+        listed.append([f"{t['scene']}, {t['form']}", f"{t['renderer']}, {t['variant']}".replace("Malus, path, ", "Malus, "),
+                       f"{t['paths_per_second'] / 1000:.0f}", "{:.2f} ({:.2f} to {:.2f})".format(*t["polarized_to_unpolarized"])
+                       if t.get("polarized_to_unpolarized") else "–", *to_equal, agreement["verdict"] if agreement else "", *gains])
+    return table(["scene", "renderer", "10³ paths/s", "polarised : unpolarised", "speed at equal error of S0", "of S1–S3", "pictures",
+                  "gain of S1", "S2", "S3"], listed)
+
+
+def peers_algebra(text):
+    """Of float."""
+    return "\n".join(line for line in text.split("### RGB, double")[0].splitlines() if line.startswith("|"))
+
+
 def operations(text, old):
     """Of benchmark_algebra's first table, which is of float, the operations that the old table has."""
     measured = {line.split("|")[1].strip(): line for line in text.split("### RGB, double")[0].splitlines() if line.startswith("| ")}
@@ -116,7 +138,8 @@ def main():
     for make, source, page in ((variants, "variants.json", "README.md"), (variants, "variants.json", "docs/bidirectional.md"),
                                (operations, "algebra.md", "README.md"), (profile, "profile.json", performance),
                                (limits, "limits.json", performance), (convergence, "convergence.json", performance),
-                               (samplers, "convergence.json", performance), (scaling, "scaling.json", performance)):
+                               (samplers, "convergence.json", performance), (scaling, "scaling.json", performance),
+                               (peers, "peers.json", "benchmarks/peers/README.md"), (peers_algebra, "peers_algebra.md", "benchmarks/peers/README.md")):
         text = (ROOT / page).read_text(encoding="utf-8")
         begin, end = f"<!-- {make.__name__} -->\n", f"<!-- /{make.__name__} -->\n"
         place = re.search(re.escape(begin) + "(.*?)" + re.escape(end), text, flags=re.DOTALL)
@@ -124,7 +147,7 @@ def main():
             sys.exit(f"make_tables.py: {page}: there is no place for {make.__name__}")
         try:
             found = (measured / source).read_text(encoding="utf-8")
-            made = make(found, place[1]) if make is operations else make(json.loads(found))
+            made = make(found, place[1]) if make is operations else make(found if source.endswith(".md") else json.loads(found))
         except FileNotFoundError as error:
             print(f"make_tables.py: {make.__name__}: skipped: there is no {error.filename}", file=sys.stderr)
             continue

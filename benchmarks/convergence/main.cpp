@@ -31,7 +31,6 @@
 #include "io/atomic_file.hpp"
 #include "planning.hpp"
 #include "report.hpp"
-#include "scene/needs.hpp"
 
 namespace {
 
@@ -41,7 +40,7 @@ struct Arguments {
   std::vector<std::string> scenes{"vcm_box",     "diffuse",      "glossy",   "glass",
                                   "upbp_sphere", "glass_medium", "bathroom", "bathroom_medium"};
   std::vector<std::string> algorithms;
-  std::vector<std::string> variants{"unpolarized", "optimized", "auto"};
+  std::vector<std::string> variants{"unpolarized", "naive", "optimized", "auto"};
   std::vector<std::string> samplers{"auto"};
   std::vector<std::string> recipes;
   std::vector<double> targets{0.1, 0.05};
@@ -63,12 +62,6 @@ std::vector<std::string> algorithms_for(const Arguments& a, const renderer::Scen
   return a.algorithms.empty() ? suited_algorithms(scene) : a.algorithms;
 }
 
-renderer::Mode mode_of(const std::string& variant, const renderer::Scene& scene) {
-  const bool polarizes =
-      variant == "optimized" || (variant == "auto" && renderer::find_needs(scene).polarization());
-  return polarizes ? renderer::Mode::optimized : renderer::Mode::unpolarized;
-}
-
 renderer::SamplerKind sampler_of(const std::string& sampler, const renderer::Scene& scene) {
   if (sampler == "auto") return renderer::suited_sampler(scene);
   return sampler == "sobol" ? renderer::SamplerKind::sobol : renderer::SamplerKind::independent;
@@ -81,12 +74,14 @@ std::vector<Curve> empty_curves(const Arguments& a, const renderer::Scene& scene
   std::vector<Curve> curves;
   for (const auto& variant : a.variants)
     for (const auto& sampler : a.samplers) {
-      const bool polarized = mode_of(variant, scene) == renderer::Mode::optimized;
+      const bool polarized = variants::is_polarized(variants::variant_of(variant), scene);
       Curve curve{name,
                   algorithm,
                   variant,
                   sampler,
-                  polarized ? "optimized" : "unpolarized",
+                  !polarized           ? "unpolarized"
+                  : variant == "naive" ? "naive"
+                                       : "optimized",
                   renderer::name_of(sampler_of(sampler, scene)),
                   {}};
       for (const std::uint64_t n : samples) curve.points.push_back({n, {}, {}});
@@ -100,7 +95,7 @@ std::vector<Curve> measure(const Arguments& a, const SceneFile& file, const std:
   const renderer::Scene scene = load(file, algorithm);
   Job job;
   job.threads = a.threads;
-  job.mode = mode_of(a.variants.back(), scene);
+  job.variant = variants::variant_of(a.variants.back());
   const auto samples = ladder(samples_for(scene, seconds, job), a.points);
   std::vector<Curve> curves = empty_curves(a, scene, file.name, algorithm, samples);
   std::uint64_t picture = 0;
@@ -111,7 +106,7 @@ std::vector<Curve> measure(const Arguments& a, const SceneFile& file, const std:
       for (std::size_t i = 0; i < pictures; ++i, ++picture)
         for (std::size_t k = 0; k < curves.size(); ++k) {
           const std::size_t turn = picture % 2 == 0 ? k : curves.size() - 1 - k;
-          job.mode = mode_of(curves[turn].variant, scene);
+          job.variant = variants::variant_of(curves[turn].variant);
           job.sampler = sampler_of(curves[turn].sampler, scene);
           job.samples = samples[point];
           job.seed = a.seed * 1'000'000'000 + picture;
@@ -213,8 +208,8 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--algorithm", a.algorithms,
                  "Integrators (default: all, but ptracer only without smooth surfaces)")
       ->check(CLI::IsMember({"path", "ptracer", "bdpt", "ppm", "bpm", "vcm"}));
-  app.add_option("--variant", a.variants, "Modes")
-      ->check(CLI::IsMember({"unpolarized", "optimized", "auto"}))
+  app.add_option("--variant", a.variants, "Modes, and full matrices as in benchmark_variants")
+      ->check(CLI::IsMember({"unpolarized", "naive", "optimized", "auto"}))
       ->capture_default_str();
   app.add_option("--sampler", a.samplers,
                  "Samplers, each with every variant; what the others buy over the first is "

@@ -6,7 +6,7 @@
     benchmarks/convergence/plot.py convergence.json --overview overview.png --quantity S0 --variant optimized
 
 One picture a scene, a panel a quantity; or, with --overview, one picture with a panel for every scene. Colours are algorithms, solid
-lines "optimized", dashed ones "unpolarized", dotted ones "auto"; of several samplers, filled circles are the first one's and triangles
+lines "optimized", dashed ones "unpolarized", dashed and dotted ones "naive", dotted ones "auto"; of several samplers, filled circles are the first one's and triangles
 the second's. Bars are one standard error of the repeats. Points that are not well above the reference's own standard error, which the
 grey band reaches up to, are hollow. The thin black line falls by the power -1/2 of time, as errors of what is unbiased do; the numbers in
 the key are the slopes of the lines. Needs gnuplot.
@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import plotting  # noqa: E402
 
 COLOURS = {"path": "#1f77b4", "ptracer": "#8c564b", "bdpt": "#2ca02c", "ppm": "#ff7f0e", "bpm": "#9467bd", "vcm": "#d62728"}
-DASHES = {"optimized": 1, "unpolarized": "'-'", "auto": "'.'"}
+DASHES = {"optimized": 1, "unpolarized": "'-'", "naive": "'-.'", "auto": "'.'"}
 SHAPES = [7, 9, 5]
 TITLES = {"S0": "S0", "S1": "S1", "S2": "S2", "S3": "S3", "S1-S3": "S1 to S3", "DoP": "degree of polarisation"}
 

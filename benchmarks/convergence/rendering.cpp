@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <optional>
 
 #include "io/exr.hpp"
@@ -113,7 +114,6 @@ Half make_half(const SceneFile& file, const ReferencePlan& plan, std::size_t whi
 
 Picture render(const renderer::Scene& scene, const Job& job) {
   renderer::RenderOptions options;
-  options.mode = job.mode;
   options.samples_per_pixel = job.samples;
   options.seed = job.seed;
   options.sampler = job.sampler;
@@ -121,7 +121,8 @@ Picture render(const renderer::Scene& scene, const Job& job) {
   options.batches = 1;
   const std::atomic<bool> stop{false};
   const double before = processor_seconds();
-  const renderer::Rendering r = renderer::render(scene, options, stop, {});
+  const renderer::Rendering r = renderer::render(
+      scene, options, std::bind_front(variants::make_passes, job.variant), stop, {});
   const double used = processor_seconds() - before;
 
   Picture p{r.film.width(), r.film.height(), {}, job.samples, job.threads == 1 ? used : r.seconds};

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "../variants/variant.hpp"
 #include "errors.hpp"
 #include "render/render.hpp"
 #include "scene_file.hpp"
@@ -13,7 +14,7 @@
 namespace convergence {
 
 struct Job {
-  renderer::Mode mode = renderer::Mode::optimized;
+  variants::Variant variant = variants::Variant::optimized;
   renderer::SamplerKind sampler = renderer::SamplerKind::independent;
   std::uint64_t samples = 1, seed = 0;
   int threads = 1;

@@ -214,7 +214,8 @@ def main():
         print(report.timing_table(summaries, arguments.error) + "\n")
     print(report.agreement_table(agreements))
     if arguments.json:
-        pathlib.Path(f"{arguments.json}.part").write_text(json.dumps({"timings": summaries, "agreement": agreements}, indent=1) + "\n")
+        found = report.numbers({"timings": summaries, "agreement": agreements})
+        pathlib.Path(f"{arguments.json}.part").write_text(json.dumps(found, indent=1, allow_nan=False) + "\n")
         os.replace(f"{arguments.json}.part", arguments.json)
     if arguments.plot and summaries:
         try:

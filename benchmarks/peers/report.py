@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The tables in Markdown, and the plot."""
 
+import math
 import os
 
 import estimates
@@ -45,6 +46,15 @@ def add_ratios(summaries, rows):
         ours = find(summaries, form=result["form"], renderer="Malus", polarized=result["polarized"])
         if ours:
             result["speed_to_malus"] = ratio(ours["seconds_to_error_s0"], result["seconds_to_error_s0"])
+
+
+def numbers(found):
+    """The same without numbers that JSON doesn't have: null."""
+    if isinstance(found, dict):
+        return {key: numbers(value) for key, value in found.items()}
+    if isinstance(found, (list, tuple)):
+        return [numbers(value) for value in found]
+    return None if isinstance(found, float) and not math.isfinite(found) else found
 
 
 def ratio(a, b):

@@ -149,7 +149,7 @@ std::vector<Row> measure_one(const Arguments& a, const renderer::Scene& scene) {
   std::vector<variants::Contender> contenders;
   for (const Variant v : variants_of(a))
     contenders.push_back({variants::name_of(v), [&scene, v](renderer::Film& film) {
-                            return variants::make_passes(v, scene, 1, film);
+                            return variants::make_passes(v, scene, {.seed = 1}, film);
                           }});
   return variants::measure(scene, contenders, a.seconds, a.turn, a.threads == 1);
 }

@@ -10,7 +10,7 @@ namespace {
 
 renderer::Film render(const renderer::Scene& scene, Variant variant) {
   renderer::Film film(scene.film.crop_width, scene.film.crop_height, 1);
-  make_passes(variant, scene, 1, film)->run(0, 1, [] { return false; });
+  make_passes(variant, scene, {.seed = 1}, film)->run(0, 1, [] { return false; });
   return film;
 }
 

@@ -2,6 +2,7 @@
 // What must be right though a rendering is stopped, split over machines or threads, or meets
 // numbers that are none.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <variant>
@@ -267,4 +268,59 @@ TEST_CASE("faults: a pixel whose sum alone is not finite loses that sample and n
   CHECK(film.total(0).mean(0) == 1);
   CHECK(film.total(1).count == 0);
   CHECK(film.total(2).mean(0) == 1);
+}
+
+TEST_CASE("faults: what extinction leaves that is no light is made light, and all other is kept") {
+  using renderer::Rgb;
+  const malus::Measurement<Rgb> extinguished(Rgb(-3e-9f, 1e-9f, 2e20f), Rgb(3e-9f, 4e-9f, 1e20f),
+                                             Rgb(0, -3e-9f, 1e20f), Rgb(1e-12f, 0, 1e20f));
+  CHECK_FALSE(renderer::is_physical(extinguished));
+  const auto made = renderer::made_physical(extinguished);
+  CHECK(renderer::is_physical(made));
+  // Less than no light is none; of more polarised light than light its state is kept.
+  for (std::size_t i = 0; i < 4; ++i) CHECK(made[i][0] == 0);
+  CHECK(made[0][1] == 1e-9f);
+  CHECK(made[1][1] == doctest::Approx(0.8e-9));
+  CHECK(made[2][1] == doctest::Approx(-0.6e-9));
+  for (std::size_t i = 0; i < 4; ++i) CHECK(made[i][2] == extinguished[i][2]);
+
+  // Fully polarised but for rounding, of any size, and subnormal numbers with few digits.
+  for (const float s0 : {0.0f, 1e-43f, 1e-30f, 1.0f, 1e30f}) {
+    CAPTURE(s0);
+    const Rgb s(s0), p(s0 * 1.00005f), none(0.0f);
+    CHECK(renderer::is_physical(malus::Measurement<Rgb>(s, p, none, none)));
+  }
+  CHECK_FALSE(renderer::is_physical(
+      malus::Measurement<Rgb>(Rgb(1.0f), Rgb(0.0f), Rgb(0.0f), Rgb(0, 0, -1.001f))));
+}
+
+TEST_CASE("faults: where crossed polarizers extinguish light, what is read is light all the same") {
+  std::uint64_t unphysical = 0;
+  // A half-wave plate turns what the farther one lets through.
+  for (int theta = 0; theta < 90; theta += 5) {
+    const auto sheet = [&](double y, const std::string& element) {
+      return square({0, y, 0}, {0, -9, 0}, 2, element, {0, 0, 1});
+    };
+    const auto polarizer = [](double angle) { return bsdf("polarizer", number("theta", angle)); };
+    renderer::Scene scene =
+        build("<integrator type=\"path\"><integer name=\"max_depth\" value=\"8\"/></integrator>" +
+              meter({0, -5, 0}, {0, 0, 0}, {1, 0, 0}) + sheet(-1, polarizer(2 * theta + 90)) +
+              sheet(0, bsdf("retarder", number("theta", -theta) + number("delta", 180))) +
+              sheet(1, polarizer(0)) + sky);
+    for (const char* name : {"path", "bdpt", "vcm"}) {
+      scene.integrator.name = name;
+      CAPTURE(theta);
+      CAPTURE(scene.integrator.name);
+      const Rendering r = run(scene, options_of(16, 2));
+      unphysical += r.counters.unphysical;
+      const renderer::PixelSum sum = r.film.total(0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(sum.stokes[c] >= 0);
+        CHECK(sum.stokes[c] < 16 * 1e-6);
+        CHECK(std::hypot(sum.stokes[c + 3], sum.stokes[c + 6], sum.stokes[c + 9]) <=
+              1.0002 * sum.stokes[c]);
+      }
+    }
+  }
+  CHECK(unphysical > 0);
 }

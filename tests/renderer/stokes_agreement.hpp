@@ -188,6 +188,7 @@ inline render_test::Rendering render(const renderer::Scene& scene, std::uint64_t
   auto rendering = renderer::render(scene, options, stop, {});
   CAPTURE(scene.integrator.name);
   CHECK(rendering.counters.non_finite == 0);
+  CHECK(rendering.counters.unphysical == 0);
   return rendering;
 }
 

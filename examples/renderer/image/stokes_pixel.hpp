@@ -6,12 +6,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <malus/analysis/polarization_state.hpp>
 #include <malus/side.hpp>
 #include <malus/stokes.hpp>
 #include <malus/sum.hpp>
 
+#include "../core/rounding.hpp"
 #include "finite.hpp"
 
 namespace renderer {
@@ -31,11 +31,9 @@ inline double excess_of_polarization(const StokesPixel& s) {
   return std::hypot(part(1), part(2), part(3)) - part(0);
 }
 
-/// What of an excess is rounding: of a part of 10⁻⁴, and of subnormal numbers, which have few
-/// digits or one, some of the least there is.
+/// What of an excess is rounding.
 inline double rounding(const StokesPixel& s) {
-  return 1e-4 * std::fabs(static_cast<double>(s[0])) +
-         4 * static_cast<double>(std::numeric_limits<float>::denorm_min());
+  return rounding_of_polarization(static_cast<double>(s[0]));
 }
 
 /// Whether any light can have this Stokes vector, but for rounding.

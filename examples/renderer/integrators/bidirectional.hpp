@@ -91,7 +91,9 @@ class BidirectionalIntegrator {
   }
 
   /// The last reading was not finite, and is not used.
-  void drop() { ++counters_.non_finite; }
+  bool admit(malus::Measurement<Rgb>& reading) {
+    return counters_.template admit<R::polarized>(reading);
+  }
   const Counters& counters() const { return counters_; }
 
  private:

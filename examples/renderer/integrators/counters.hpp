@@ -7,6 +7,8 @@
 #include <malus/form.hpp>
 #include <malus/measurement.hpp>
 
+#include "physical_reading.hpp"
+
 namespace renderer {
 
 /// False where a sample is to be dropped, and counted: what is not finite leaves its mark on the
@@ -21,6 +23,7 @@ struct Counters {
   std::uint64_t samples = 0;
   std::uint64_t light_vertices = 0, merges = 0;
   std::uint64_t non_finite = 0;  ///< readings that were NaN or infinite, and dropped
+  std::uint64_t unphysical = 0;  ///< that were no light, by rounding, and made it
   std::array<std::uint64_t, malus::mueller_forms> forms{};  ///< of scatterings along camera paths
   std::uint64_t connections = 0, shadowed = 0;  ///< asked for light's way; found that it is barred
   // Of polarised light alone:
@@ -28,6 +31,19 @@ struct Counters {
   std::uint64_t scatterings = 0, evaluated = 0;  ///< on camera paths; before the last deposit
   std::uint64_t stored_stokes = 0;               ///< light vertices whose light is polarised
   std::uint64_t merged_stokes = 0;  ///< merges for which a photon's polarisation was read
+
+  /// Whether a reading may be added up.
+  template <bool is_polarized, class V>
+  bool admit(malus::Measurement<V>& reading) {
+    const bool finite = is_finite(reading);
+    if (!finite) ++non_finite;
+    if constexpr (is_polarized)
+      if (finite && !is_physical(reading)) {
+        reading = made_physical(reading);
+        ++unphysical;
+      }
+    return finite;
+  }
 
   /// A path from the camera whose result has been read.
   template <class Path>
@@ -64,6 +80,7 @@ struct Counters {
     light_vertices += c.light_vertices;
     merges += c.merges;
     non_finite += c.non_finite;
+    unphysical += c.unphysical;
     for (std::size_t i = 0; i < forms.size(); ++i) forms[i] += c.forms[i];
     connections += c.connections;
     shadowed += c.shadowed;

@@ -106,12 +106,9 @@ class Lens {
   /// W_e · L: the importance that the lens emits along the ray, and the light that comes along it.
   void splat(const Sensor::Projection& seen, float w, const typename R::Light& light,
              std::vector<Splat>& splats) {
-    const auto reading =
-        read<R>(*scene_.sensor, seen.direction, visibility_.through(light), Rgb(w));
-    if (is_finite(reading))
+    auto reading = read<R>(*scene_.sensor, seen.direction, visibility_.through(light), Rgb(w));
+    if (counters_.template admit<R::polarized>(reading))
       splats.push_back({seen.film * Vec2(scene_.film.width, scene_.film.height), reading});
-    else
-      ++counters_.non_finite;
   }
 
   const Scene& scene_;

@@ -36,6 +36,8 @@ class Passes {
 /// The scene's algorithm by the family of the options' mode, with the code of media where there are
 /// any. Scene and film outlive the passes.
 std::unique_ptr<Passes> make_passes(const Scene& scene, const RenderOptions& options, Film& film);
+using PassesMaker =
+    std::function<std::unique_ptr<Passes>(const Scene&, const RenderOptions&, Film&)>;
 
 // its two halves, compiled side by side
 std::unique_ptr<Passes> make_surface_passes(const Scene& scene, const RenderOptions& options,

@@ -12,7 +12,6 @@
 
 #include "../io/input_error.hpp"
 #include "checkpoint.hpp"
-#include "passes.hpp"
 
 namespace renderer {
 
@@ -49,12 +48,13 @@ std::size_t pixels_of(const Scene& scene) {
 /// The passes of one rendering, and what of them is kept for another run to go on from.
 class Run {
  public:
-  Run(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop)
+  Run(const Scene& scene, const RenderOptions& options, const PassesMaker& make,
+      const std::atomic<bool>& stop)
       : options_(options),
         stop_(stop),
         result_{Film(scene.film.crop_width, scene.film.crop_height,
                      options.batches > 0 ? options.batches : batches_of(pixels_of(scene)))},
-        passes_(make_passes(scene, options, result_.film)),
+        passes_(make(scene, options, result_.film)),
         step_(std::max<std::uint64_t>(1, samples_in_a_pass / pixels_of(scene))) {
     if (options.checkpoint != nullptr) resume();
   }
@@ -154,13 +154,19 @@ class Run {
 
 Rendering render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                  const std::function<void(const Progress&)>& report) {
+  return render(scene, options, make_passes, stop, report);
+}
+
+Rendering render(const Scene& scene, const RenderOptions& options, const PassesMaker& make,
+                 const std::atomic<bool>& stop,
+                 const std::function<void(const Progress&)>& report) {
   // More threads than processors are refused, with a message, unless they are allowed.
   std::optional<tbb::global_control> allowed;
   if (options.threads > 0)
     allowed.emplace(tbb::global_control::max_allowed_parallelism,
                     static_cast<std::size_t>(options.threads));
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return Run(scene, options, stop).finish(report); });
+  return arena.execute([&] { return Run(scene, options, make, stop).finish(report); });
 }
 
 }  // namespace renderer

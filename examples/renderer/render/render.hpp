@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "../scene/scene.hpp"
+#include "passes.hpp"
 #include "render_options.hpp"
 
 namespace renderer {
@@ -17,5 +18,10 @@ SamplerKind suited_sampler(const Scene& scene);
 /// `report` is called between passes, from the calling thread.
 Rendering render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                  const std::function<void(const Progress&)>& report);
+
+/// The same by passes that aren't the renderer's own, such as a family of radiometry of the
+/// caller's.
+Rendering render(const Scene& scene, const RenderOptions& options, const PassesMaker& make,
+                 const std::atomic<bool>& stop, const std::function<void(const Progress&)>& report);
 
 }  // namespace renderer

@@ -55,6 +55,7 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
   json["shadow_rays"] = c.shadow_rays;
   json["rays_per_second"] = rate(c.rays + c.shadow_rays);
   json["non_finite_samples"] = c.non_finite;
+  if (options.mode == Mode::optimized) json["unphysical_samples"] = c.unphysical;
   json["relative_noise"] = rendering.film.relative_noise();
   Json forms = Json::object();
   if (options.mode == Mode::optimized)
