@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# cmake -DSOURCE=case.cpp "-DCOMPILERS=g++;clang++" -DINCLUDE_DIRS=... [-DEXPECT_REJECTION=ON] -P check_case.cmake
+# cmake -DSOURCE=case.cpp "-DCOMPILERS=g++;clang++" -DINCLUDE_DIRS=... [-DPRECOMPILED=DIR] [-DEXPECT_REJECTION=ON]
+#   -P check_case.cmake
+#
+# DIR/COMPILER/malus/malus.hpp.gch is used where it is.
 #
 # With every compiler: the right expression compiles, the wrong one (MALUS_FAIL) does not, and the reason that the line
 # `// expect: REASON` names stands in the error or the first note on it. Later notes do not count: they list candidates
@@ -22,6 +25,13 @@ endfunction()
 # Sets `result`, `output`.
 function(compile)
   set(include_flags "")
+  set(header "${PRECOMPILED}/${compiler_name}/malus/malus.hpp.gch")
+  if(EXISTS "${header}")
+    list(PREPEND INCLUDE_DIRS "${PRECOMPILED}/${compiler_name}")
+    if(compiler_name MATCHES "clang")
+      set(include_flags -include-pch "${header}")
+    endif()
+  endif()
   foreach(directory IN LISTS INCLUDE_DIRS)
     list(APPEND include_flags -isystem "${directory}")
   endforeach()

@@ -33,11 +33,23 @@ struct Channel {
   double total, polarized_squared = 0;
 };
 
+/// What nearly all readings are by single precision alone, where no square leaves its range.
+template <class V>
+MALUS_INLINE bool is_plainly_physical(const malus::Measurement<V>& m) {
+  constexpr float least = 1e-18f, most = 1e18f;
+  const V polarized_squared = m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
+  const V bound = m[0] * m[0] * 1.0001f;
+  for (std::size_t c = 0; c < V::channels; ++c)
+    if (!(m[0][c] > least && m[0][c] < most && polarized_squared[c] <= bound[c])) return false;
+  return true;
+}
+
 }  // namespace physical_reading
 
 /// Whether the finite readings of S0…S3 can be those of light, in every channel, but for rounding.
 template <class V>
 bool is_physical(const malus::Measurement<V>& m) {
+  if (physical_reading::is_plainly_physical(m)) return true;
   for (std::size_t c = 0; c < V::channels; ++c)
     if (!physical_reading::Channel(m, c).is_physical()) return false;
   return true;
