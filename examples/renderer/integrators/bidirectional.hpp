@@ -90,7 +90,7 @@ class BidirectionalIntegrator {
     return read<R>(*scene_.sensor, ray.direction, path_.result());
   }
 
-  /// The last reading was not finite, and is not used.
+  /// Whether the reading may be added up; counts it if it may not, or had to be made light.
   bool admit(malus::Measurement<Rgb>& reading) {
     return counters_.template admit<R::polarized>(reading);
   }
