@@ -163,7 +163,12 @@ class DeferredSweep {
       return;
     }
     if (light.form() != StokesForm::full) {
-      light = {intensity, v.deposit[1], v.deposit[2], v.deposit[3], v.frame};
+      // Part by part: as a whole it would be made in one place and copied to another.
+      V* s = detail::Access::values(light);
+      s[0] = intensity;
+      for (int i = 1; i < 4; ++i) s[i] = v.deposit[i];
+      detail::Access::frame(light).frame = v.frame;
+      detail::Access::flag(light) = detail::FormFlag<StokesForm::dynamic>(StokesForm::full);
       return;
     }
     V* s = detail::Access::values(light);

@@ -292,7 +292,14 @@ MALUS_INLINE constexpr Q operator/(const Q& q, typename Q::scalar_type k) {
 template <detail::Scalable Q, class K>
   requires requires(Q q, K k) { q = q * k; }
 MALUS_INLINE constexpr Q& operator*=(Q& q, const K& k) {
-  return q = q * k;
+  using V = typename Q::value_type;
+  V factor;
+  if constexpr (std::convertible_to<const K&, V>)
+    factor = k;
+  else
+    factor = V(static_cast<typename Q::scalar_type>(k));
+  detail::map_in_place(q, [&](const V& value) MALUS_INLINE_LAMBDA { return value * factor; });
+  return q;
 }
 
 // What does not compile, and why

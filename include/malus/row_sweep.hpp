@@ -65,7 +65,7 @@ class RowSweep {
   template <class M>
   MALUS_INLINE void scatter_by(const M& f) {
     sweep_.scatter(f);
-    if (carries_row_) row_ = propagate(row_ * f);
+    if (carries_row_) detail::assign(row_, propagate(row_ * f));
   }
 
   PathSweep<V, F> sweep_;

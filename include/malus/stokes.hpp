@@ -70,14 +70,15 @@ template <RuntimeFrameType F, int Which>
 struct FrameSlot<F, Which, true> {
   F frame;
   FrameSlot() = default;
-  constexpr explicit FrameSlot(const F& f) : frame(f) {}
+  /// By components: g++ copies as words what it has just written as numbers, and waits for it.
+  constexpr explicit FrameSlot(const F& f) : frame(f.x(), f.y()) {}
   constexpr const F& get() const { return frame; }
 };
 
 /// Copies a frame from slot to slot, where there is one to copy.
 template <class To, class From>
 MALUS_INLINE constexpr void copy_frame(To& to, const From& from) {
-  if constexpr (requires { to.frame; }) to.frame = from.frame;
+  if constexpr (requires { to.frame; }) to = To(from.frame);
 }
 
 }  // namespace detail

@@ -7,11 +7,13 @@
 
 namespace renderer {
 
-/// The surface's own coordinates: the normal along z.
-struct LocalSpace {
-  Vec3 x, y, z;
-  Vec3 from_world(const Vec3& w) const { return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, z)}; }
-  Vec3 to_world(const Vec3& v) const { return glm::normalize(v.x * x + v.y * y + v.z * z); }
+/// The surface's own coordinates: s and t along x and y, the normal along z.
+struct LocalSpace : Basis {
+  Vec3 normal;
+  Vec3 from_world(const Vec3& w) const {
+    return {glm::dot(w, s), glm::dot(w, t), glm::dot(w, normal)};
+  }
+  Vec3 to_world(const Vec3& v) const { return glm::normalize(v.x * s + v.y * t + v.z * normal); }
 };
 
 /// A rough surface. Where its roughness depends on the direction, it is along the tangent that
@@ -21,9 +23,8 @@ struct Facets : malus::MicrofacetDistribution<float> {
 
   LocalSpace space(const SurfacePoint& point) const {
     if (!is_isotropic())
-      return {point.tangent, glm::cross(point.normal, point.tangent), point.normal};
-    const Basis basis(point.normal);
-    return {basis.s, basis.t, point.normal};
+      return {Basis(point.tangent, glm::cross(point.normal, point.tangent)), point.normal};
+    return {Basis(point.normal), point.normal};
   }
 
   // Of directions in world space.

@@ -35,14 +35,15 @@ struct PolarizedPlastic {
     const Vec3 to = choice < share ? reflect_about(from, facets.sample_visible(from, u.x, u.y))
                                    : square_to_cosine_hemisphere(u);
     if (to.z <= 0) return false;
-    result.direction = space.to_world(to);
-    const Flow flow(known, result.direction, tracing);
+    const Vec3 drawn = space.to_world(to);
+    result.direction = by_components(drawn);
+    const Flow flow(known, drawn, tracing);
     const auto v = value<Value>(point, flow.incident, flow.exitant);
     const bool from_camera = tracing == Tracing::from_camera;
     result.pdf = from_camera ? v.pdf_incident : v.pdf_exitant;
     result.reverse_pdf = from_camera ? v.pdf_exitant : v.pdf_incident;
     if (!(result.pdf > 0)) return false;
-    const float factor = glm::dot(point.normal, result.direction) / result.pdf;
+    const float factor = glm::dot(point.normal, drawn) / result.pdf;
     result.weight = v.m00 * factor;
     result.lobe = v.lobe * factor;
     if constexpr (keeps) result.terms = v.terms;

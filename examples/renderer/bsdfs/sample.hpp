@@ -92,8 +92,8 @@ MALUS_INLINE Value with_terms(const BsdfValue& value, const InterfaceTerms& term
 struct Flow {
   Vec3 incident, exitant;
   Flow(const Vec3& known, const Vec3& drawn, Tracing tracing)
-      : incident(tracing == Tracing::from_camera ? drawn : known),
-        exitant(tracing == Tracing::from_camera ? known : drawn) {}
+      : incident(tracing == Tracing::from_camera ? by_components(drawn) : by_components(known)),
+        exitant(tracing == Tracing::from_camera ? by_components(known) : by_components(drawn)) {}
 };
 
 using MuellerFrame = malus::Frame<float>;

@@ -248,7 +248,9 @@ bool Geometry::Embree::intersect(RTCScene scene, const Ray& ray, Hit& hit) const
   if (const auto* s = std::get_if<Sphere>(&shape)) {
     const Vec3 outward = normalized(ray.origin + hit.distance * ray.direction - s->center);
     hit.position = s->center + s->radius * outward;
-    hit.normal = hit.geometric_normal = s->flipped ? -outward : outward;
+    const Vec3 front = outward * (s->flipped ? -1.0f : 1.0f);
+    hit.normal = by_components(front);
+    hit.geometric_normal = by_components(front);
     hit.reach = reach_of(largest[hit.shape], outward);
     hit.parameter = {};
     return true;

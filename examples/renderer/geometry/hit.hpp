@@ -58,19 +58,21 @@ struct SurfacePoint {
     normal = -normal;
   }
   /// A ray that leaves towards w.
-  MALUS_INLINE Ray leave(const Vec3& w) const { return {offset(w), w}; }
+  MALUS_INLINE Ray leave(const Vec3& w) const {
+    return {by_components(offset(w)), by_components(w)};
+  }
   /// The ray to another point, seen in direction w, and short of it. It is aimed anew from where it
   /// starts: a parallel one would meet a sphere before a point on its limb. Its direction is not
   /// of unit length.
   MALUS_INLINE Ray leave_for(const Vec3& target, const Vec3& w) const {
     const Vec3 origin = offset(w);
-    return {origin, target - origin, 1 - 2e-4f};
+    return {by_components(origin), by_components(target - origin), 1 - 2e-4f};
   }
   /// The ray to another surface's point, between points off both: the same seen from either end.
   /// Its direction is not of unit length.
   MALUS_INLINE Ray leave_for(const SurfacePoint& other, const Vec3& w) const {
     const Vec3 origin = offset(w);
-    return {origin, other.offset(-w) - origin, 1};
+    return {by_components(origin), by_components(other.offset(-w) - origin), 1};
   }
 
  private:

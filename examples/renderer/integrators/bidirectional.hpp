@@ -87,13 +87,11 @@ class BidirectionalIntegrator {
     path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
     counters_.count_path(path_);
-    return read<R>(*scene_.sensor, ray.direction, path_.result());
+    return read<R>(*scene_.sensor, ray.direction, path_.result(), counters_);
   }
 
-  /// Whether the reading may be added up; counts it if it may not, or had to be made light.
-  bool admit(malus::Measurement<Rgb>& reading) {
-    return counters_.template admit<R::polarized>(reading);
-  }
+  /// Whether the reading may be added up; counts it if it may not.
+  bool admit(const malus::Measurement<Rgb>& reading) { return counters_.admit(reading); }
   const Counters& counters() const { return counters_; }
 
  private:
@@ -178,7 +176,9 @@ class BidirectionalIntegrator {
       mis.scatter(sample, v.scatterer.geometric_cosine(v.hit, sample.direction),
                   iteration_->factors, v.merge);
       is_specular = is_specular && sample.is_delta;
-      last = {v.hit.position, v.scatterer, false};
+      last.position = by_components(v.hit.position);
+      last.scatterer = v.scatterer;
+      last.is_lens = false;
       way_.scatter(sample.direction);
       ray = v.hit.leave(sample.direction);
       ++v.number;

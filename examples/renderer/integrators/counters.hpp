@@ -33,16 +33,18 @@ struct Counters {
   std::uint64_t merged_stokes = 0;  ///< merges for which a photon's polarisation was read
 
   /// Whether a reading may be added up.
-  template <bool is_polarized, class V>
-  bool admit(malus::Measurement<V>& reading) {
+  template <class V>
+  bool admit(const malus::Measurement<V>& reading) {
     const bool finite = is_finite(reading);
     if (!finite) ++non_finite;
-    if constexpr (is_polarized)
-      if (finite && !is_physical(reading)) {
-        reading = made_physical(reading);
-        ++unphysical;
-      }
     return finite;
+  }
+  /// A reading of polarised light, made light if by rounding it was none.
+  template <class V>
+  malus::Measurement<V> made_light(const malus::Measurement<V>& reading) {
+    if (is_physical(reading) || !is_finite(reading)) return reading;
+    ++unphysical;
+    return made_physical(reading);
   }
 
   /// A path from the camera whose result has been read.

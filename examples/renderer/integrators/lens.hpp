@@ -99,15 +99,16 @@ class Lens {
     const Vec3 origin = scene_.sensor->origin() + seen.near * seen.direction;
     const Vec3 target = scene_.sensor->origin() + seen.distance * seen.direction;
     const float length = (std::min(seen.distance, seen.far) - seen.near) * (1 - 2e-4f);
-    return visibility_.open({origin, seen.direction, length}, origin, target, most_sheets,
-                            Way<M>::of_sensor(scene_), sampler);
+    return visibility_.open({by_components(origin), by_components(seen.direction), length}, origin,
+                            target, most_sheets, Way<M>::of_sensor(scene_), sampler);
   }
 
   /// W_e · L: the importance that the lens emits along the ray, and the light that comes along it.
   void splat(const Sensor::Projection& seen, float w, const typename R::Light& light,
              std::vector<Splat>& splats) {
-    auto reading = read<R>(*scene_.sensor, seen.direction, visibility_.through(light), Rgb(w));
-    if (counters_.template admit<R::polarized>(reading))
+    const auto reading =
+        read<R>(*scene_.sensor, seen.direction, visibility_.through(light), counters_, Rgb(w));
+    if (counters_.admit(reading))
       splats.push_back({seen.film * Vec2(scene_.film.width, scene_.film.height), reading});
   }
 

@@ -128,7 +128,8 @@ class LightSubpath {
           share = malus::map_channels([](float s0, float p) { return p > 0 ? s0 / p : 0.0f; },
                                       light.intensity(), emission.power);
       mis.scatter(sample, cosine, factors, factors.merge(scatterer.is_medium()));
-      last = {hit.position, scatterer};
+      last.position = by_components(hit.position);
+      last.scatterer = scatterer;
       way_.scatter(exitant);
       ray = hit.leave(exitant);
       ++vertex;

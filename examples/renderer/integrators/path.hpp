@@ -27,13 +27,11 @@ class PathIntegrator {
     path_.begin(scene_.draws_by_polarization);
     walk(ray, sampler);
     counters_.count_path(path_);
-    return read<R>(*scene_.sensor, ray.direction, path_.result());
+    return read<R>(*scene_.sensor, ray.direction, path_.result(), counters_);
   }
 
-  /// Whether the reading may be added up; counts it if it may not, or had to be made light.
-  bool admit(malus::Measurement<Rgb>& reading) {
-    return counters_.template admit<R::polarized>(reading);
-  }
+  /// Whether the reading may be added up; counts it if it may not.
+  bool admit(const malus::Measurement<Rgb>& reading) { return counters_.admit(reading); }
   const Counters& counters() const { return counters_; }
 
  private:
@@ -91,7 +89,9 @@ class PathIntegrator {
           [&] { return path_.throughput() * sample.weight * (eta * eta); }, scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       path_.scatter(hit, exitant, scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
-      last = {hit.position, sample.pdf, sample.is_delta};
+      last.position = by_components(hit.position);
+      last.pdf = sample.pdf;
+      last.is_delta = sample.is_delta;
       ++depth;
       way_.scatter(sample.direction);
       ray = hit.leave(sample.direction);

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "../core/prefetch.hpp"
@@ -165,7 +166,7 @@ class PhotonMap {
     if constexpr (R::polarized)
       if (!R::is_unpolarized(v.light)) {
         photon.is_polarized = 1;
-        lights_[i] = PhotonLight<R>(v.light);
+        std::construct_at(&lights_[i], v.light);
       }
   }
 

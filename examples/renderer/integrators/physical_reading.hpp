@@ -33,15 +33,15 @@ struct Channel {
   double total, polarized_squared = 0;
 };
 
-/// What nearly all readings are by single precision alone, where no square leaves its range.
+/// What nearly all readings are by single precision alone, where no square leaves its range. All
+/// channels at once.
 template <class V>
 MALUS_INLINE bool is_plainly_physical(const malus::Measurement<V>& m) {
   constexpr float least = 1e-18f, most = 1e18f;
   const V polarized_squared = m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
-  const V bound = m[0] * m[0] * 1.0001f;
-  for (std::size_t c = 0; c < V::channels; ++c)
-    if (!(m[0][c] > least && m[0][c] < most && polarized_squared[c] <= bound[c])) return false;
-  return true;
+  const V excess = polarized_squared - m[0] * m[0] * 1.0001f;
+  return malus::max_channel(excess) <= 0 && malus::max_channel(-m[0]) < -least &&
+         malus::max_channel(m[0]) < most;
 }
 
 }  // namespace physical_reading

@@ -229,7 +229,7 @@ class BidirectionalPass {
       if (techniques_.lens_alone) return;
       Sampler random = sampler(seed_, pixel, task.iteration);
       const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, random.next_2d());
-      auto reading = worker.integrator.measure(iteration, ray, random, light_path);
+      const auto reading = worker.integrator.measure(iteration, ray, random, light_path);
       if (worker.integrator.admit(reading)) exposure_.add(pixel, task.layer, reading);
     });
   }

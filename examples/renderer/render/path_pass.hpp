@@ -90,7 +90,7 @@ class PathPass {
       for (std::uint64_t i = begin; i < last; i += batches) {
         Sampler random = sampler(pixel, batch, i);
         const Ray ray = camera_ray(scene_.film, *scene_.sensor, x, y, random.next_2d());
-        auto reading = integrator.measure(ray, random);
+        const auto reading = integrator.measure(ray, random);
         if (integrator.admit(reading)) film_.at(pixel, batch).add(reading);
       }
     });

@@ -3,6 +3,8 @@
 // the result is made in place, no further than its form goes.
 #pragma once
 
+#include <utility>
+
 #include <malus/detail/kernels.hpp>
 #include <malus/stokes.hpp>
 
@@ -70,6 +72,23 @@ MALUS_INLINE constexpr To mapped(const From& from, F&& f) {
     set_form<form()>(to);
   });
   return to;
+}
+
+/// The same of the quantity itself.
+template <class Q, class F>
+MALUS_INLINE constexpr void map_in_place(Q& q, F&& f) {
+  auto* values = Access::values(q);
+  visit_form(q, [&](auto form) MALUS_INLINE_LAMBDA {
+    map_values<value_count(form())>(f, std::as_const(values), values);
+  });
+}
+
+/// to = from, part by part: what has just been made is not written as a whole to be copied.
+template <class Q>
+MALUS_INLINE constexpr void assign(Q& to, const Q& from) {
+  copy_values<4>(Access::values(from), Access::values(to));
+  copy_frame(Access::frame(to), Access::frame(from));
+  Access::flag(to) = Access::flag(from);
 }
 
 }  // namespace malus::detail
