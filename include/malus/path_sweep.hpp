@@ -272,7 +272,7 @@ class PathSweep {
 
   template <class M>
   MALUS_INLINE void enter(const M& m) {
-    entry_ = m.enter();
+    entry_ = detail::by_components(m.enter());
     has_entry_ = true;
     reads_polarization_ = true;
   }
@@ -281,7 +281,8 @@ class PathSweep {
   /// result's.
   MALUS_INLINE Rotation<scalar_t<V>> turn_to_entry(const F& frame) {
     if (has_entry_) return rotation(frame, entry_, "PathSweep");
-    entry_ = outermost_ = frame;
+    entry_ = detail::by_components(frame);
+    outermost_ = detail::by_components(frame);
     has_entry_ = true;
     return {};
   }

@@ -54,6 +54,13 @@ struct Access {
   }
 };
 
+/// The same frame, where it has just been made and is kept in memory next: g++ copies as words what
+/// it has just written as numbers, and then waits for these to arrive.
+template <RuntimeFrameType F>
+MALUS_INLINE F by_components(const F& f) {
+  return F(f.x(), f.y());
+}
+
 /// Where a quantity keeps a frame: nowhere if the frame is static or the form needs none. Which
 /// tells two slots apart, so that both can be empty.
 template <class F, int Which, bool Needed>
@@ -70,8 +77,7 @@ template <RuntimeFrameType F, int Which>
 struct FrameSlot<F, Which, true> {
   F frame;
   FrameSlot() = default;
-  /// By components: g++ copies as words what it has just written as numbers, and waits for it.
-  constexpr explicit FrameSlot(const F& f) : frame(f.x(), f.y()) {}
+  constexpr explicit FrameSlot(const F& f) : frame(by_components(f)) {}
   constexpr const F& get() const { return frame; }
 };
 

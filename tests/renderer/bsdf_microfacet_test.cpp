@@ -8,6 +8,7 @@
 #include <malus/analysis/polarization_state.hpp>
 
 #include "bsdf_support.hpp"
+#include "bsdfs/conductor_terms.hpp"
 #include "mitsuba_values.hpp"
 #include "scene/conductor_data.hpp"
 
@@ -36,7 +37,30 @@ bool all_finite(const Full& m) {
   return true;
 }
 
+/// Components of a conductor's block by the library's equations, in double precision.
+std::array<double, 4> library_terms(double cosine, double eta, double k) {
+  const auto f = malus::fresnel_conductor(cosine, eta, k);
+  return {f.mean(), f.half_difference(), f.re, f.im};
+}
+
 }  // namespace
+
+TEST_CASE("renderer: the terms of conductors are those of the library") {
+  constexpr float indices[] = {0, 1e-4f, 0.05f, 0.5f, 0.999f, 1, 1.001f, 1.5f, 7, 100, 1e4f};
+  constexpr float cosines[] = {1e-6f, 1e-3f, 0.1f, 0.3f, 0.707f, 0.9f, 0.999f, 1};
+  for (const float eta : indices)
+    for (const float k : indices)
+      for (const float c : cosines) {
+        if (eta * eta + k * k < 1.0f / 16) continue;
+        CAPTURE(eta), CAPTURE(k), CAPTURE(c);
+        const auto terms = renderer::conductor_terms(c, Rgb(eta), Rgb(k));
+        const auto expected = library_terms(c, eta, k);
+        CHECK(std::abs(terms.mean[1] - expected[0]) < 2e-6);
+        CHECK(std::abs(terms.half_difference[1] - expected[1]) < 2e-6);
+        CHECK(std::abs(terms.re[1] - expected[2]) < 2e-6);
+        CHECK(std::abs(terms.im[1] - expected[3]) < 2e-6);
+      }
+}
 
 TEST_CASE("bsdf: directions follow the density they claim, from the camera and from the light") {
   Sampler sampler(21, 22, 23);
@@ -101,7 +125,8 @@ TEST_CASE(
     BsdfSampleOf<Polarized> s;
     if (!bsdf.sample(e.hit, e.known, Tracing::from_camera, sampler, s)) continue;
     const Vec3 &incident = s.direction, &exitant = e.known;
-    const LocalSpace space{e.hit.tangent, glm::cross(e.hit.normal, e.hit.tangent), e.hit.normal};
+    const LocalSpace space{Basis(e.hit.tangent, glm::cross(e.hit.normal, e.hit.tangent)),
+                           e.hit.normal};
     const Vec3 wi = space.from_world(incident), wo = space.from_world(exitant);
     if (std::min(std::abs(wi.z), std::abs(wo.z)) < 0.02f) continue;
     const auto in = MuellerFrame::toward(-incident, Vec3(0.3f, 0.5f, 0.8f));

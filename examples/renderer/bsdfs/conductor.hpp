@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../textures/texture.hpp"
+#include "conductor_terms.hpp"
 #include "sample.hpp"
 
 namespace renderer {
@@ -14,34 +15,32 @@ struct Conductor {
   static constexpr bool is_delta = true;
   static constexpr bool polarizes = true;
 
+  template <class Sample>
   bool sample(const SurfacePoint& point, const Vec3& known, Tracing, Sampler&,
-              BsdfSample& result) const {
+              Sample& result) const {
     const float c = glm::dot(point.normal, known);
     if (c <= 0) return false;
     result.direction = glm::normalize(reflect_about(known, point.normal));
     result.is_delta = true;
     result.pdf = result.reverse_pdf = 1;
-    result.weight =
-        specular_reflectance(point) * malus::fresnel_conductor(cosine(c), eta, k).mean();
+    const ConductorTerms terms = conductor_terms(std::min(c, 1.0f), eta, k);
+    result.weight = specular_reflectance(point) * terms.mean;
+    if constexpr (std::is_same_v<Sample, PolarizedBsdfSample>) result.conductor = terms;
     return true;
   }
 
   template <class R>
   MALUS_INLINE auto weight(const SurfacePoint& point, const Vec3& known, Tracing tracing,
-                           const BsdfSample& sample, float factor) const {
+                           const BsdfSampleOf<R>& sample, float factor) const {
     if constexpr (R::polarized) {
       const Flow flow(known, sample.direction, tracing);
-      const auto frames = specular_frames(point.normal, flow.incident, flow.exitant);
-      const float c = cosine(glm::dot(point.normal, known));
-      return malus::conductor_reflection(c, eta, k, frames.enter, frames.exit) *
+      return conductor_block(sample.conductor,
+                             specular_frames(point.normal, flow.incident, flow.exitant)) *
              (specular_reflectance(point) * factor);
     } else {
       return sample.weight * factor;
     }
   }
-
- private:
-  static float cosine(float c) { return std::min(c, 1.0f); }
 };
 
 }  // namespace renderer

@@ -71,7 +71,7 @@ class Plastic {
     return with_terms<Value>(
         {scale * (in.mean * out.mean), (1 - coat_share(1 - out.mean, coat, base)) * cos_i / pi,
          (1 - coat_share(1 - in.mean, coat, base)) * cos_o / pi, scale},
-        {{}, in, out});
+        InterfaceTerms{{}, in, out});
   }
 
   template <class R>

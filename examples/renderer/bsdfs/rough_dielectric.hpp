@@ -53,7 +53,7 @@ struct RoughDielectric {
     const float share = fresnel.mean();
     const Rgb scale = (reflects ? specular_reflectance : specular_transmittance)(point)*lobe.value;
     return with_terms<Value>({scale * share, lobe.pdf_i * share, lobe.pdf_o * share, scale},
-                             {fresnel, {}, {}});
+                             InterfaceTerms{fresnel, {}, {}});
   }
 
   template <class R>

@@ -11,6 +11,7 @@
 
 #include "../core/sampler.hpp"
 #include "../geometry/hit.hpp"
+#include "conductor_terms.hpp"
 
 namespace renderer {
 
@@ -56,19 +57,27 @@ struct InterfaceTerms {
   }
 };
 
-// Where polarisation is followed, values and samples hold such terms, too. Kinds that keep none
-// leave them as they are.
+// Where polarisation is followed, values and samples hold such terms, too: of dielectrics or of
+// conductors. Kinds that keep none leave them as they are.
 
 struct PolarizedBsdfValue : BsdfValue {
-  InterfaceTerms terms;
+  union {
+    InterfaceTerms terms;
+    ConductorTerms conductor;
+  };
 
   PolarizedBsdfValue() {}  // NOLINT: a defaulted one would set the terms to zero
   explicit PolarizedBsdfValue(const BsdfValue& value) : BsdfValue(value) {}
   PolarizedBsdfValue(const BsdfValue& value, const InterfaceTerms& t)
       : BsdfValue(value), terms(t) {}
+  PolarizedBsdfValue(const BsdfValue& value, const ConductorTerms& t)
+      : BsdfValue(value), conductor(t) {}
 };
 struct PolarizedBsdfSample : BsdfSample {
-  InterfaceTerms terms;
+  union {
+    InterfaceTerms terms;
+    ConductorTerms conductor;
+  };
 
   PolarizedBsdfSample() {}  // NOLINT: the same
 };
@@ -80,8 +89,8 @@ template <class R>
 using BsdfSampleOf = std::conditional_t<R::polarized, PolarizedBsdfSample, BsdfSample>;
 
 /// A value with terms, if there is room for them.
-template <class Value>
-MALUS_INLINE Value with_terms(const BsdfValue& value, const InterfaceTerms& terms) {
+template <class Value, class Terms>
+MALUS_INLINE Value with_terms(const BsdfValue& value, const Terms& terms) {
   if constexpr (std::is_same_v<Value, PolarizedBsdfValue>)
     return {value, terms};
   else
