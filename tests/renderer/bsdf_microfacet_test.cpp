@@ -52,7 +52,9 @@ TEST_CASE("renderer: the terms of conductors are those of the library") {
     for (const float k : indices)
       for (const float c : cosines) {
         if (eta * eta + k * k < 1.0f / 16) continue;
-        CAPTURE(eta), CAPTURE(k), CAPTURE(c);
+        CAPTURE(eta);
+        CAPTURE(k);
+        CAPTURE(c);
         const auto terms = renderer::conductor_terms(c, Rgb(eta), Rgb(k));
         const auto expected = library_terms(c, eta, k);
         CHECK(std::abs(terms.mean[1] - expected[0]) < 2e-6);
