@@ -5,7 +5,7 @@
     benchmarks/profile/stalls.py build/profile/examples/malus-render examples/scenes/glossy.xml --integrator vcm
 
 A load takes what a store before it wrote from the store buffer, unless it reads more than that store wrote: then it waits until
-the store has reached the cache, some 5 ns. Instructions are not more for it, and perf shows the instruction behind the load. Here
+the store has reached the cache. Instructions are not more for it, and perf shows the instruction behind the load. Here
 each load from the stack, or by a register, is compared with the stores to the same place in the instructions before it, as they
 stand in the program; what branches do between them is not known, and what is written by one function and read by another is not
 seen. x86 alone. The program is compiled as profile.py says, with -g1.

@@ -142,7 +142,7 @@ class DeferredSweep {
           for (int i = 0; i < 3; ++i) v.deposit[i + 1] += s[i];
         } else {
           for (int i = 0; i < 3; ++i) v.deposit[i + 1] = s[i];
-          v.frame = detail::by_components(light.frame());
+          v.frame = light.frame();
           v.deposit_form = StokesForm::full;
         }
       }

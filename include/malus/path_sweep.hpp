@@ -272,7 +272,7 @@ class PathSweep {
 
   template <class M>
   MALUS_INLINE void enter(const M& m) {
-    entry_ = detail::by_components(m.enter());
+    entry_ = m.enter();
     has_entry_ = true;
     reads_polarization_ = true;
   }
@@ -281,8 +281,8 @@ class PathSweep {
   /// result's.
   MALUS_INLINE Rotation<scalar_t<V>> turn_to_entry(const F& frame) {
     if (has_entry_) return rotation(frame, entry_, "PathSweep");
-    entry_ = detail::by_components(frame);
-    outermost_ = detail::by_components(frame);
+    entry_ = frame;
+    outermost_ = frame;
     has_entry_ = true;
     return {};
   }

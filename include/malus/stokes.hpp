@@ -54,13 +54,6 @@ struct Access {
   }
 };
 
-/// The same frame, where it has just been made and is kept in memory next: g++ copies as words what
-/// it has just written as numbers, and then waits for these to arrive.
-template <RuntimeFrameType F>
-MALUS_INLINE F by_components(const F& f) {
-  return F(f.x(), f.y());
-}
-
 /// Where a quantity keeps a frame: nowhere if the frame is static or the form needs none. Which
 /// tells two slots apart, so that both can be empty.
 template <class F, int Which, bool Needed>
@@ -77,14 +70,14 @@ template <RuntimeFrameType F, int Which>
 struct FrameSlot<F, Which, true> {
   F frame;
   FrameSlot() = default;
-  constexpr explicit FrameSlot(const F& f) : frame(by_components(f)) {}
+  constexpr explicit FrameSlot(const F& f) : frame(f) {}
   constexpr const F& get() const { return frame; }
 };
 
 /// Copies a frame from slot to slot, where there is one to copy.
 template <class To, class From>
 MALUS_INLINE constexpr void copy_frame(To& to, const From& from) {
-  if constexpr (requires { to.frame; }) to = To(from.frame);
+  if constexpr (requires { to.frame; }) to.frame = from.frame;
 }
 
 }  // namespace detail

@@ -14,9 +14,10 @@ struct ConductorTerms {
   Rgb mean, half_difference, re, im;
 };
 
-/// malus::fresnel_conductor() of relative index eta + ik, to 10⁻⁶ of 1, with two divisions that
-/// wait for nothing but each other's numerators where that has four: drawing and evaluating
-/// conductors take most of their time here. What isn't used of the result costs nothing.
+/// malus::fresnel_conductor() of relative index eta + ik, eta² + k² in 1/16…1e8, to 2·10⁻⁶ of 1;
+/// nothing where all is 0. Two divisions that do not wait for each other where that has three in a
+/// chain: drawing and evaluating conductors take most of their time here. What isn't used of the
+/// result costs nothing.
 ///
 /// With q² = (η + ik)² − sin² θ, q = a + ib: R_s = (A − B)/(A + B), A = |q|² + c², B = 2ac, and R_p
 /// = R_s (C − D)/(C + D), C = |q|² c² + s⁴, D = B s², r_s* r_p = −R_s (|q|² c² − s⁴ + 2i s² bc)/(C

@@ -27,7 +27,7 @@ inline Rgb to_rgb(const glm::dvec3& c) {
 
 /// The same vector, where it has just been made and is kept in memory next. g++ writes a vector's
 /// three components, and then copies them from there as two words, for which it must wait until all
-/// of them have arrived: some 5 ns each time.
+/// of them have arrived.
 MALUS_INLINE Vec3 by_components(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Of unit length; v is not zero. One division, where GLM's operators have three.

@@ -3,8 +3,6 @@
 // the result is made in place, no further than its form goes.
 #pragma once
 
-#include <utility>
-
 #include <malus/detail/kernels.hpp>
 #include <malus/stokes.hpp>
 
@@ -78,9 +76,8 @@ MALUS_INLINE constexpr To mapped(const From& from, F&& f) {
 template <class Q, class F>
 MALUS_INLINE constexpr void map_in_place(Q& q, F&& f) {
   auto* values = Access::values(q);
-  visit_form(q, [&](auto form) MALUS_INLINE_LAMBDA {
-    map_values<value_count(form())>(f, std::as_const(values), values);
-  });
+  visit_form(q, [&](auto form)
+                    MALUS_INLINE_LAMBDA { map_values<value_count(form())>(f, values, values); });
 }
 
 /// to = from, part by part: what has just been made is not written as a whole to be copied.
