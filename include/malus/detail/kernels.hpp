@@ -126,11 +126,18 @@ inline constexpr std::size_t layout_size = value_count(M);
 template <>
 inline constexpr std::size_t layout_size<turned_block> = 12;
 
+/// Products that are worth being made by whole rows: full matrices of full ones, and of blocks.
+template <class V, auto Out, auto A, auto B>
+inline constexpr bool suits_rows =
+    layout_size<Out> == 16 &&
+    ((layout_size<A> == 16 && layout_size<B> == 16) ||
+     (layout_size<A> >= 8 && layout_size<B> >= 8 && has_wide_sparse_rows<V>));
+
 /// out = a·b, no frames to turn. Out is the form of the result; out overlaps neither factor.
 template <auto Out, auto A, auto B, class V>
 MALUS_INLINE constexpr void multiply(const V* a, const V* b, V* out) {
-  if constexpr (layout_size<A> == 16 && layout_size<B> == 16 && has_wide_unturned_rows<V>)
-    multiply_full(a, NoRotation{}, b, out);
+  if constexpr (suits_rows<V, Out, A, B> && has_wide_unturned_rows<V>)
+    multiply_rows<A, B>(a, NoRotation{}, b, out);
   else
     add_terms<product_terms<Out, A, B>, layout_size<Out>>(a, b, out);
 }
@@ -197,8 +204,8 @@ MALUS_INLINE constexpr void multiply_turned(const V* n, const Turn& turn, const 
     V row[4] = {n[0], n[1], n[2], n[3]};
     rotate(turn.inverse(), row[1], row[2]);
     multiply<Out, N, M>(static_cast<const V*>(row), m, out);
-  } else if constexpr (layout_size<N> == 16 && layout_size<M> == 16 && has_wide_rows<V>) {
-    multiply_full(n, turn, m, out);
+  } else if constexpr (suits_rows<V, Out, N, M> && has_wide_rows<V>) {
+    multiply_rows<N, M>(n, turn, m, out);
   } else {
     constexpr auto T = turned_form<M>();
     V turned[layout_size<T>];
