@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def table(head, rows):
     """Of texts; all columns but those of names are numbers."""
-    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("---" if h in ("scene", "algorithm", "mode", "variant", "error of", "renderer", "pictures") else "--:" for h in head) + "|"]
+    lines = ["| " + " | ".join(head) + " |", "|" + "|".join("---" if h in ("scene", "algorithm", "mode", "variant", "error of", "rays", "renderer", "pictures") else "--:" for h in head) + "|"]
     return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows])
 
 
@@ -38,11 +38,14 @@ def limits(content):
              f"{r['nanoseconds_per_shadow_ray_alone']:.0f}",
              f"{100 * r['share']:.0f} % ({100 * r['share_low']:.0f} to {100 * r['share_high']:.0f})",
              f"{r['nanoseconds_per_path'] * (1 - r['share']):.0f}"] for r in content["rays"]]
+    ways = ["path", "wavefront", "packets_of_8", "packets_of_16", "sorting", "sorted", "sorted_packets_of_8", "sorted_packets_of_16"]
+    packets = [[r["scene"], r["rays"], *(f"{r[w]:.0f}" for w in ways)] for r in content["packets"]]
     photons = [[r["scene"], r["mode"], str(r["photons"]), str(r["bytes_per_photon"]), f"{r['nanoseconds_to_build_a_photon']:.0f}",
                 f"{r['nanoseconds_per_query']:.0f}", f"{r['found_per_query']:.2f}", f"{r['found_gigabytes_per_second']:.2f}",
                 f"{r['stream_gigabytes_per_second']:.1f}", f"{r['nanoseconds_per_random_line']:.1f}"] for r in content["photon_map"]]
     return (table(["scene", "algorithm", "mode", "ns a path", "rays + shadow rays", "ns a ray alone", "ns a shadow ray alone",
                    "rays alone, of the time", "ns of the rest"], rays) + "\n\n" +
+            table(["scene", "rays", "path by path", "wavefront", "by 8", "by 16", "to sort it", "sorted", "by 8", "by 16"], packets) + "\n\n" +
             table(["scene", "mode", "photons", "bytes a photon", "ns to build, a photon", "ns a query", "photons found", "their GB/s",
                    "GB/s in order", "ns of a line at random"], photons))
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The limits of a renderer on this machine, beside what it takes: Embree's rays alone, and memory
-// for the photon map. Where a path's time goes is told by profile.py.
+// The limits of a renderer on this machine, beside what it takes: Embree's rays alone, one at a
+// time and many, and memory for the photon map. Where a path's time goes is told by profile.py.
 //
 //   benchmark_profile --json limits.json
 #include <tbb/global_control.h>
@@ -12,6 +12,7 @@
 
 #include "../program.hpp"
 #include "io/atomic_file.hpp"
+#include "packets.hpp"
 #include "photons.hpp"
 #include "rays.hpp"
 #include "scene/build.hpp"
@@ -77,6 +78,37 @@ Json measure_rays(const Arguments& a) {
   return list;
 }
 
+Json measure_packets(const Arguments& a) {
+  std::printf(
+      "\n## Many rays at a time\n\n| scene | rays | ns a ray: path by path | a wavefront, one at a "
+      "time | by 8 | by 16 | sorting it | sorted, one at a time | by 8 | by 16 |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  Json list = Json::array();
+  for (const auto& name : a.scenes) {
+    const renderer::Scene scene = load(a, name, "path", a.resolution);
+    const auto [nearest, shadow] = profile::time_packets(scene, a.seconds);
+    for (const auto& t : {nearest, shadow}) {
+      std::printf("| %s | %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f |\n",
+                  name.c_str(), t.rays.c_str(), t.path, t.wavefront, t.packets_of_8,
+                  t.packets_of_16, t.sorting, t.sorted, t.sorted_packets_of_8,
+                  t.sorted_packets_of_16);
+      std::fflush(stdout);
+      list.push_back({{"scene", name},
+                      {"rays", t.rays},
+                      {"count", t.count},
+                      {"path", t.path},
+                      {"wavefront", t.wavefront},
+                      {"packets_of_8", t.packets_of_8},
+                      {"packets_of_16", t.packets_of_16},
+                      {"sorting", t.sorting},
+                      {"sorted", t.sorted},
+                      {"sorted_packets_of_8", t.sorted_packets_of_8},
+                      {"sorted_packets_of_16", t.sorted_packets_of_16}});
+    }
+  }
+  return list;
+}
+
 Json measure_photons(const Arguments& a) {
   std::printf(
       "\n## The photon map\n\n| scene | mode | photons | bytes a photon | MB | ns to build, a "
@@ -118,6 +150,7 @@ int run(const Arguments& a) {
   return arena.execute([&] {
     Json json;
     json["rays"] = measure_rays(a);
+    json["packets"] = measure_packets(a);
     json["photon_map"] = measure_photons(a);
     if (!a.json.empty()) renderer::write_file(a.json, json.dump(2) + "\n");
     return 0;

@@ -169,20 +169,6 @@ class NaivePath {
     return light;
   }
 
- protected:
-  Rgb importance_of_intensity() const {
-    const auto& w = importance_.value;
-    return {w[0][0][0], w[1][0][0], w[2][0][0]};
-  }
-  /// What intensity is read by: the first of the four rows.
-  Light intensity_row() const {
-    Light row;
-    for (std::size_t i = 0; i < naive::channels; ++i)
-      for (int c = 0; c < 4; ++c) row.value[i][c] = importance_.value[i][c][0];
-    row.NaiveStokes::frame = importance_.frame;
-    return row;
-  }
-
  private:
   /// The readings are those of the first frame met.
   void begin_at(const NaiveFrame& frame) {
@@ -202,9 +188,8 @@ class NaiveMediaPath : public NaivePath {
  public:
   NaiveMediaPath() { begin(); }
 
-  void begin(bool carries_row = true) {
+  void begin() {
     NaivePath::begin();
-    carries_row_ = carries_row;
     has_flown_ = false;
   }
   void deposit(const Light& light) {
@@ -224,17 +209,13 @@ class NaiveMediaPath : public NaivePath {
     NaivePath::transmit(t);
     has_flown_ = true;
   }
-  Rgb throughput() const {
-    return carries_row_ ? importance_of_intensity() : NaivePath::throughput();
-  }
-  Light row() const { return carries_row_ ? intensity_row() : Light::unpolarized(Rgb(1.0f)); }
 
  private:
   void arrive() {
     if (!has_flown_) attenuate(Rgb(1.0f));
   }
 
-  bool carries_row_ = true, has_flown_ = false;
+  bool has_flown_ = false;
 };
 
 struct Naive {
@@ -244,7 +225,7 @@ struct Naive {
   using Transmittance = NaiveMueller;
   using Importance = NaiveImportance;
   using CameraPath = NaivePath;
-  using RowPath = NaiveMediaPath;
+  using MediaPath = NaiveMediaPath;
   static constexpr bool polarized = true;
   static constexpr bool defers = false;
 

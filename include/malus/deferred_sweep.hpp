@@ -7,16 +7,16 @@
 #pragma once
 
 #include <cstddef>
+#include <list>
 #include <utility>
-#include <vector>
 
 #include <malus/propagate.hpp>
 #include <malus/sum.hpp>
 
 namespace malus {
 
-/// Keep one a thread: begin() keeps its memory. An Event is what a scattering is remembered by:
-/// anything that can be assigned to.
+/// Keep one a thread: begin() keeps its memory, and it cannot be copied. An Event is what a
+/// scattering is remembered by: anything that can be assigned to.
 ///
 /// What every frame and order leaves alone, multiples of the identity and what depolarises, is
 /// joined to one factor, which is all that a chain of them costs.
@@ -25,12 +25,15 @@ class DeferredSweep {
  public:
   using Light = Stokes<V, exitant, F>;
 
-  DeferredSweep() : vertices_(8) { begin(); }
+  DeferredSweep() : vertices_(1) { begin(); }
+  DeferredSweep(const DeferredSweep&) = delete;
+  DeferredSweep& operator=(const DeferredSweep&) = delete;
 
   void begin() {
-    current_ = lit_ = scatterings_ = lit_scatterings_ = 0;
+    current_ = lit_ = vertices_.begin();
+    scatterings_ = lit_scatterings_ = 0;
     is_lit_ = false;
-    vertices_[0].deposit_form = StokesForm::zero;
+    current_->deposit_form = StokesForm::zero;
     forget_factor();
   }
 
@@ -47,17 +50,21 @@ class DeferredSweep {
     deposit_as<Form>(light);
   }
 
+  /// What a scattering at the current vertex would be remembered by. It may be filled in before it
+  /// is known whether there is one, and stays where it is until the next path begins.
+  MALUS_INLINE Event& event() { return current_->event; }
+
   /// Light from the next vertex is scattered at the current one, which becomes the one before. The
   /// event is to be filled in.
   MALUS_INLINE Event& scatter() {
     ++scatterings_;
-    if (current_ + 1 == vertices_.size()) vertices_.resize(2 * vertices_.size());
-    Vertex& v = vertices_[current_++];
+    Vertex& v = *current_;
     v.reads_polarization = reads_polarization_;
     v.is_scaled = is_scaled_;
     if (is_scaled_) v.scale = factor_;
     forget_factor();
-    vertices_[current_].deposit_form = StokesForm::zero;
+    if (++current_ == vertices_.end()) current_ = vertices_.emplace(current_);
+    current_->deposit_form = StokesForm::zero;
     return v.event;
   }
   /// The same where nothing is left of it but an intensity.
@@ -84,9 +91,8 @@ class DeferredSweep {
   MALUS_INLINE Light result(Act&& act) const {
     Light light;
     if (!is_lit_) return light;
-    const Vertex* const first = vertices_.data();
-    add(first[lit_], light);
-    for (const Vertex* k = first + lit_; k != first;) {
+    add(*lit_, light);
+    for (auto k = lit_; k != vertices_.begin();) {
       const Vertex& v = *--k;
       light = act(v.event, std::as_const(light), v.reads_polarization);
       if (!v.reads_polarization && light.form() == StokesForm::full)
@@ -124,7 +130,7 @@ class DeferredSweep {
   MALUS_INLINE void deposit_as(const S& light) {
     if constexpr (Form != StokesForm::zero) {
       const V* from = detail::Access::values(light);
-      Vertex& v = vertices_[current_];
+      Vertex& v = *current_;
       is_lit_ = true;
       lit_ = current_;
       lit_scatterings_ = scatterings_;
@@ -180,8 +186,9 @@ class DeferredSweep {
     s[3] += v.deposit[3];
   }
 
-  std::vector<Vertex> vertices_;       // as many as the longest path had
-  std::size_t current_ = 0, lit_ = 0;  // vertex; the last that light was deposited at, if any was
+  using Vertices = std::list<Vertex>;
+  Vertices vertices_;                          // as many as the longest path had, where they are
+  typename Vertices::iterator current_, lit_;  // lit_: the last that light was deposited at, if any
   bool is_lit_ = false;
   std::size_t scatterings_ = 0, lit_scatterings_ = 0;  // so far, and up to the last deposit
   V factor_;                                           // since the current vertex, if it is scaled

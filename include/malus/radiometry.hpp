@@ -6,7 +6,6 @@
 
 #include <malus/measurement.hpp>
 #include <malus/path_sweep.hpp>
-#include <malus/row_sweep.hpp>
 
 namespace malus {
 
@@ -20,7 +19,6 @@ struct Unpolarized {
   using Transmittance = V;        ///< what a stretch of medium leaves of light
   using Importance = V;           ///< what a sensor weighs incident radiance by
   using CameraPath = PathSum<V>;  ///< deposits and scatterings of a path, and their result
-  using RowPath = PathSum<V>;     ///< one that knows what intensity is read by
   static constexpr bool polarized = false;
   static constexpr bool defers = false;  ///< matrices are made when light is found behind them
 
@@ -54,7 +52,6 @@ struct Polarized {
   using Transmittance = Mueller<V, exitant, incident>;
   using Importance = malus::Importance<V, incident, frame, ImportanceForm::plain>;
   using CameraPath = PathSweep<V>;
-  using RowPath = RowSweep<V>;
   static constexpr bool polarized = true;
   static constexpr bool defers = true;
 

@@ -92,6 +92,33 @@ TEST_CASE("of a remembered path nothing is looked at behind its last light") {
   CHECK(sweep.evaluated() == 20);
 }
 
+TEST_CASE(
+    "what a scattering is remembered by can be filled in before it is known, and stays there") {
+  struct Number {
+    double factor = 0;
+  };
+  malus::DeferredSweep<double, Number> path;
+  const auto scaled = [](const Number& n, const malus::Stokes<double>& light, bool) {
+    return malus::Stokes<double>::unpolarized(n.factor * light.intensity());
+  };
+  for (int trial = 0; trial < 3; ++trial) {  // the second path finds the places of the first
+    path.begin();
+    double expected = 1;
+    std::vector<const Number*> places;
+    for (int k = 0; k < 20; ++k) {
+      Number& number = path.event();
+      number.factor = 1 + 0.1 * k + trial;
+      expected *= number.factor;
+      CHECK(&path.scatter() == &number);
+      places.push_back(&number);
+    }
+    path.event().factor = 1e9;  // the path ends before it
+    path.deposit(malus::Stokes<double>::unpolarized(1));
+    CHECK(places.front()->factor == doctest::Approx(1 + trial));
+    CHECK(path.result(scaled).intensity() == doctest::Approx(expected));
+  }
+}
+
 TEST_CASE("where the intensity alone is read, remembered matrices are told") {
   Random random(99);
   const auto frame = random.frame();

@@ -83,7 +83,8 @@ class Bsdf {
   /// The BSDF for unpolarised light, without the cosine, and the densities of sample(); all 0 of
   /// delta distributions. Of a family of radiometry, for its scattering<R>().
   template <class R>
-  BsdfValueOf<R> value(const SurfacePoint& point, const Vec3& incident, const Vec3& exitant) const {
+  RENDERER_FLATTEN BsdfValueOf<R> value(const SurfacePoint& point, const Vec3& incident,
+                                        const Vec3& exitant) const {
     using Value = BsdfValueOf<R>;
     return std::visit(
         [&]<class B>(const B& b) -> Value {

@@ -55,9 +55,14 @@ inline float reflected_cosine(const Vec3& incident, const Vec3& exitant) {
 
 using FacetMueller = malus::BlockMueller<Rgb, malus::incident, malus::exitant, MuellerFrame>;
 
-/// The frames of a facet's plane of incidence.
-inline malus::FramePair<float> facet_frames(const Vec3& incident, const Vec3& exitant) {
-  return malus::frames_of_facet<float>(-incident, exitant);
+/// The frames of a facet's plane of incidence: malus::frames_of_facet() of −incident and exitant,
+/// but that nothing is turned around for it.
+MALUS_INLINE malus::FramePair<float> facet_frames(const Vec3& incident, const Vec3& exitant) {
+  Vec3 s = glm::cross(exitant, incident);
+  constexpr float parallel = std::numeric_limits<float>::epsilon();
+  if (!(glm::dot(s, s) > parallel)) [[unlikely]]
+    s = MuellerFrame::about(-incident).x();
+  return {MuellerFrame(s, glm::cross(s, incident)), MuellerFrame(s, glm::cross(exitant, s))};
 }
 
 }  // namespace renderer

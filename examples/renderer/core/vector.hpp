@@ -12,6 +12,14 @@
 #include <limits>
 #include <malus/spectrum.hpp>
 
+/// A function that is too large for its callers, and whose own callees are to be part of it: one
+/// call instead of several, each with its arguments and result in memory.
+#if defined(__GNUC__)
+#define RENDERER_FLATTEN [[gnu::flatten]]
+#else
+#define RENDERER_FLATTEN
+#endif
+
 namespace renderer {
 
 using Vec2 = glm::vec2;

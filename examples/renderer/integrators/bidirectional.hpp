@@ -97,13 +97,13 @@ class BidirectionalIntegrator {
  private:
   /// A vertex of the camera path: light is to leave it towards `exitant`.
   struct Vertex {
-    Hit hit;
-    Vec3 exitant;
-    Scatterer<M> scatterer;
+    Hit& hit;
+    int edges;   ///< from the lens to here; with sheets, where those count
+    int number;  ///< on the path, the lens being 1
     SubpathMis mis;
-    float merge;  ///< η of merges here
-    int edges;    ///< from the lens to here; with sheets, where those count
-    int number;   ///< on the path, the lens being 1
+    Vec3 exitant{};
+    Scatterer<M> scatterer{};
+    float merge = 0;  ///< η of merges here
   };
   /// The vertex before.
   struct Last {
@@ -122,16 +122,15 @@ class BidirectionalIntegrator {
     bool is_specular = true;  // the path so far has passed delta distributions alone
     float eta = 1;
     way_.begin(Way<M>::of_sensor(scene_));
-    Vertex v;
-    v.number = 2;
-    for (v.edges = 1;; ++v.edges) {
+    for (int edges = 1, number = 2;; ++edges) {
+      Hit own_hit;
+      Vertex v{path_.place(own_hit), edges, number, mis};
       ++counters_.rays;
       side.finds_emission = finds_light(is_specular) && !settings.strategy;
       const End end = way_.advance(ray, v.hit, side, sampler);
       if (end == End::nothing) return deposit_environment(v, ray.direction, mis, last, is_specular);
       v.exitant = -ray.direction;
       v.scatterer = way_.scatterer(end);
-      v.mis = mis;
       arrive(v, last);
       if (end == End::surface) {
         deposit_emission(v, last, is_specular);  // from the front, whichever side has a BSDF
@@ -139,17 +138,17 @@ class BidirectionalIntegrator {
         const bool passes = scene_.lets_pass(v.hit, sampler);
         const Bsdf& bsdf = scene_.shapes[v.hit.shape].material.facing(v.hit, v.exitant);
         if (passes || bsdf.is_sheet()) {
-          if (settings.sheets_count && v.edges == settings.max_depth) return;
+          if (settings.sheets_count && edges == settings.max_depth) return;
           if (!passes && !bsdf.is_nothing())
             path_.pass(bsdf.template transmit<R>(v.hit, v.exitant));
           way_.pass(ray.direction);
           ray = v.hit.leave(ray.direction);
-          if (!settings.sheets_count) --v.edges;
+          if (!settings.sheets_count) --edges;
           continue;
         }
         v.scatterer = Scatterer<M>(bsdf);
       }
-      if (v.edges == settings.max_depth || !v.scatterer.sides_agree(v.hit, v.exitant)) return;
+      if (edges == settings.max_depth || !v.scatterer.sides_agree(v.hit, v.exitant)) return;
       v.merge = iteration_->factors.merge(v.scatterer.is_medium());
       if (!v.scatterer.is_delta()) {
         if (techniques_.connect) {
@@ -160,7 +159,8 @@ class BidirectionalIntegrator {
         if (techniques_.merge) merge(v);
       }
 
-      BsdfSampleOf<R> sample;
+      BsdfSampleOf<R> own_sample;
+      BsdfSampleOf<R>& sample = path_.place(own_sample);
       if (!v.scatterer.sample(v.hit, v.exitant, Tracing::from_camera, path_.polarization(), sampler,
                               sample))
         return;
@@ -168,7 +168,7 @@ class BidirectionalIntegrator {
       if (!v.scatterer.sides_agree(v.hit, sample.direction)) return;
       eta *= sample.eta;
       const float survival = survival_chance(
-          settings, v.edges, [&] { return path_.throughput() * sample.weight * (eta * eta); },
+          settings, edges, [&] { return path_.throughput() * sample.weight * (eta * eta); },
           v.scatterer.is_medium());
       if (survival < 1 && !(sampler.next_1d() < survival)) return;
       path_.scatter(v.hit, v.exitant, v.scatterer, sample, survival < 1 ? 1 / survival : 1.0f);
@@ -181,7 +181,7 @@ class BidirectionalIntegrator {
       last.is_lens = false;
       way_.scatter(sample.direction);
       ray = v.hit.leave(sample.direction);
-      ++v.number;
+      ++number;
     }
   }
 

@@ -1,100 +1,80 @@
 // SPDX-License-Identifier: MIT
 // A path from the sensor, as an integrator tells of it: where it is scattered and what light is
-// deposited there. Of polarised light it is remembered and looked at from its end, but where
-// directions are drawn by what it carries.
+// deposited there. Of polarised light it is remembered and looked at from its end.
 #pragma once
 
 #include <type_traits>
 
+#include "carried_row.hpp"
 #include "remembered_path.hpp"
 #include "summed_path.hpp"
 
 namespace renderer {
 
+/// How a family adds up what it does not remember.
+template <class R, class M>
+struct SumOfPath {
+  using type = typename R::CameraPath;
+};
+template <class R>
+  requires requires { typename R::MediaPath; }
+struct SumOfPath<R, WithMedia> {
+  using type = typename R::MediaPath;
+};
+
+template <class R, class M>
+using PlainCameraPath = std::conditional_t<R::defers, RememberedPath<R, M>,
+                                           SummedPath<R, M, typename SumOfPath<R, M>::type>>;
+
 /// Keep one a thread.
 template <class R, class M>
-class CameraPath;
+class CameraPath : public PlainCameraPath<R, M> {
+ public:
+  using PlainCameraPath<R, M>::PlainCameraPath;
+  void begin(bool) { PlainCameraPath<R, M>::begin(); }
+  static typename M::Polarization polarization() { return {}; }
+};
 
-/// Among surfaces.
+/// Among media that polarise what they scatter, directions are drawn by what a path carries.
 template <class R>
-class CameraPath<R, NoMedia>
-    : public std::conditional_t<R::defers, RememberedPath<R, NoMedia>,
-                                SummedPath<R, NoMedia, typename R::CameraPath>> {
-  using Path = std::conditional_t<R::defers, RememberedPath<R, NoMedia>,
-                                  SummedPath<R, NoMedia, typename R::CameraPath>>;
+  requires(R::polarized)
+class CameraPath<R, WithMedia> : public PlainCameraPath<R, WithMedia> {
+  using Path = PlainCameraPath<R, WithMedia>;
 
  public:
   using Path::Path;
-  static NoMedia::Polarization polarization() { return {}; }
-};
 
-/// Among media that polarise, a path carries the row that intensity is read by, and directions are
-/// drawn by it.
-template <class R>
-class CameraPath<R, WithMedia> {
-  using Carrying = SummedPath<R, WithMedia, typename R::RowPath>;
-  using Remembered = RememberedPath<R, WithMedia>;
-
- public:
-  explicit CameraPath(Counters& counters) : carrying_(counters), remembered_(counters) {}
-
-  void begin(bool carries_row) {
-    carries_row_ = carries_row;
-    carries_row ? carrying_.begin(true) : remembered_.begin(false);
+  void begin(bool draws_by_polarization) {
+    Path::begin();
+    carries_row_ = draws_by_polarization;
+    row_.begin();
   }
-  template <class... Arguments>
-  MALUS_INLINE void scatter(const Arguments&... a) {
-    carries_row_ ? carrying_.scatter(a...) : remembered_.scatter(a...);
-  }
-  template <class... Arguments>
-  MALUS_INLINE void deposit(const Arguments&... a) {
-    carries_row_ ? carrying_.deposit(a...) : remembered_.deposit(a...);
+  MALUS_INLINE void scatter(const Hit& point, const Vec3& exitant,
+                            const Scatterer<WithMedia>& scatterer, const BsdfSampleOf<R>& sample,
+                            float factor) {
+    if (carries_row_) row_.scatter(point, exitant, scatterer, sample, factor);
+    Path::scatter(point, exitant, scatterer, sample, factor);
   }
   void pass(const typename R::Scattering& sheet) {
-    carries_row_ ? carrying_.pass(sheet) : remembered_.pass(sheet);
+    if (carries_row_) row_.pass(R::m00(sheet));
+    Path::pass(sheet);
   }
-  void attenuate(const Rgb& t) { carries_row_ ? carrying_.attenuate(t) : remembered_.attenuate(t); }
-  void transmit(const typename R::Transmittance& t) {
-    carries_row_ ? carrying_.transmit(t) : remembered_.transmit(t);
+  void attenuate(const Rgb& transmittance) {
+    if (carries_row_) row_.attenuate(transmittance);
+    Path::attenuate(transmittance);
   }
-  bool reads_polarization() const {
-    return carries_row_ ? carrying_.reads_polarization() : remembered_.reads_polarization();
+  void transmit(const malus::Polarized<Rgb>::Transmittance& t) {
+    if (carries_row_) row_.transmit(t);
+    Path::transmit(t);
   }
-  Rgb throughput() const {
-    return carries_row_ ? carrying_.throughput() : remembered_.throughput();
-  }
-  typename R::Light result() { return carries_row_ ? carrying_.result() : remembered_.result(); }
-  std::size_t scatterings() const {
-    return carries_row_ ? carrying_.sum().scatterings() : remembered_.scatterings();
-  }
-  std::size_t evaluated() const {
-    return carries_row_ ? carrying_.sum().evaluated() : remembered_.evaluated();
-  }
-  bool is_dark() const { return carries_row_ ? carrying_.sum().is_dark() : remembered_.is_dark(); }
-
-  /// How the row is polarised that the path carries.
+  Rgb throughput() const { return carries_row_ ? row_.throughput() : Path::throughput(); }
   LinearPolarization polarization() const {
-    return carries_row_ ? LinearPolarization(carrying_.sum().row()) : LinearPolarization();
+    return carries_row_ ? row_.polarization() : LinearPolarization();
   }
 
  private:
-  Carrying carrying_;
-  Remembered remembered_;
+  CarriedRow row_;
   bool carries_row_ = false;
-};
-
-/// Of families that remember nothing.
-template <class R>
-  requires(!R::defers)
-class CameraPath<R, WithMedia> : public SummedPath<R, WithMedia, typename R::RowPath> {
- public:
-  using SummedPath<R, WithMedia, typename R::RowPath>::SummedPath;
-  LinearPolarization polarization() const {
-    if constexpr (R::polarized)
-      return LinearPolarization(this->sum().row());
-    else
-      return {};
-  }
 };
 
 }  // namespace renderer

@@ -49,7 +49,8 @@ class PathIntegrator {
     const int max_depth = scene_.integrator.max_depth;
     way_.begin(Way<M>::of_sensor(scene_));
     for (int depth = 0;;) {
-      Hit hit;
+      Hit own_hit;
+      Hit& hit = path_.place(own_hit);
       ++counters_.rays;
       const End end = way_.advance(ray, hit, CameraSide<R, M>{path_}, sampler);
       if (end == End::nothing) return deposit_environment(ray.direction, last, depth);
@@ -78,7 +79,8 @@ class PathIntegrator {
       if (!scatterer.sides_agree(hit, exitant)) return;
       if (!scatterer.is_delta()) deposit_direct_light(hit, exitant, scatterer, depth, sampler);
 
-      BsdfSampleOf<R> sample;
+      BsdfSampleOf<R> own_sample;
+      BsdfSampleOf<R>& sample = path_.place(own_sample);
       if (!scatterer.sample(hit, exitant, Tracing::from_camera, path_.polarization(), sampler,
                             sample))
         return;

@@ -6,6 +6,7 @@
 
 #include <malus/deferred_sweep.hpp>
 #include <malus/radiometry.hpp>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -19,17 +20,20 @@ class RememberedPath {
  public:
   explicit RememberedPath(Counters& counters) : counters_(counters) {}
 
-  /// Directions are drawn by m00: no row is carried.
-  void begin(bool) {
+  void begin() {
     sweep_.begin();
     matrices_.clear();
     throughput_ = Rgb(1.0f);
   }
 
+  /// Where a walk is to put what it finds and draws at the current vertex: where it is remembered,
+  /// so that nothing has to be copied. The walk's own places are not used.
+  Hit& place(Hit&) { return sweep_.event().point; }
+  BsdfSampleOf<R>& place(BsdfSampleOf<R>&) { return *std::construct_at(&sweep_.event().sample); }
+
   /// The path goes on from a vertex in a drawn direction.
-  MALUS_INLINE void scatter(const SurfacePoint& point, const Vec3& exitant,
-                            const Scatterer<M>& scatterer, const BsdfSampleOf<R>& sample,
-                            float factor) {
+  MALUS_INLINE void scatter(const Hit& point, const Vec3& exitant, const Scatterer<M>& scatterer,
+                            const BsdfSampleOf<R>& sample, float factor) {
     const Rgb weight = sample.weight * factor;
     throughput_ *= weight;
     if (!scatterer.polarizes()) {
@@ -37,10 +41,11 @@ class RememberedPath {
       return sweep_.depolarize(weight);
     }
     Event& event = sweep_.scatter();
-    event.point = point;
-    event.exitant = exitant;
+    // What was remembered on the way to the vertex has taken the place that it was found in.
+    if (&event.point != &point) event.point = point;
+    if (&event.sample != &sample) event.sample = sample;
+    event.exitant = by_components(exitant);
     event.scatterer = scatterer;
-    event.sample = sample;
     event.factor = factor;
     event.is_matrix = false;
   }
@@ -91,7 +96,7 @@ class RememberedPath {
   using Matrix = std::variant<typename R::Scattering, typename R::Transmittance>;
 
   struct Event {
-    SurfacePoint point;
+    Hit point;
     Vec3 exitant;
     Scatterer<M> scatterer;
     BsdfSampleOf<R> sample;

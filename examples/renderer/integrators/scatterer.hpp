@@ -127,13 +127,19 @@ class Scatterer<WithMedia> {
       return use(sample.weight * factor);
     } else {
       if (!is_medium()) return bsdf_->with_weight<R>(p, known, tracing, sample, factor, use);
-      const PhaseFunction& phase = medium_->phase();
-      if (!phase.polarizes()) return use(R::depolarizer(sample.weight * factor));
-      const Flow flow(known, sample.direction, tracing);
-      return phase.with_matrix<R>(
-          flow.incident, flow.exitant,
-          medium_->scattering(p.position) * (factor / (sample.pdf * sample.likelihood)), use);
+      if (!polarizes()) return use(R::depolarizer(sample.weight * factor));
+      return with_phase_weight<R>(p, known, tracing, sample, factor, use);
     }
+  }
+  /// The same in a medium that polarises.
+  template <class R, class Use>
+  MALUS_INLINE decltype(auto) with_phase_weight(const SurfacePoint& p, const Vec3& known,
+                                                Tracing tracing, const BsdfSampleOf<R>& sample,
+                                                float factor, Use&& use) const {
+    const Flow flow(known, sample.direction, tracing);
+    return medium_->phase().with_matrix<R>(
+        flow.incident, flow.exitant,
+        medium_->scattering(p.position) * (factor / (sample.pdf * sample.likelihood)), use);
   }
   template <class R, class Use>
   MALUS_INLINE decltype(auto) with_scattering(const SurfacePoint& p, const Vec3& incident,
@@ -166,9 +172,11 @@ MALUS_INLINE decltype(auto) as_taken_by(const F& f) {
 /// Light that arrives at a point, after scattering in directions whose value() is known. Where it
 /// is depolarised next, no more is made of it than its intensity.
 template <class R, class M>
-typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
-                          const Vec3& incident, const Vec3& exitant, const BsdfValueOf<R>& value,
-                          const typename R::Light& light, bool reads_polarization = true) {
+RENDERER_FLATTEN typename R::Light scatter(const Scatterer<M>& scatterer, const SurfacePoint& p,
+                                           const Vec3& incident, const Vec3& exitant,
+                                           const BsdfValueOf<R>& value,
+                                           const typename R::Light& light,
+                                           bool reads_polarization = true) {
   if constexpr (!R::polarized) {
     return value.m00 * light;
   } else {

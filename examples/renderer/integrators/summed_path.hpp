@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A path from the sensor as its family's own sum has it: of intensities, of matrices, or with the
-// row that intensity is read by.
+// A path from the sensor as its family's own sum has it: of intensities, or of matrices.
 #pragma once
 
 #include <malus/radiometry.hpp>
@@ -15,16 +14,15 @@ class SummedPath {
  public:
   explicit SummedPath(Counters& counters) : counters_(counters) {}
 
-  void begin([[maybe_unused]] bool carries_row) {
-    if constexpr (requires { sum_.begin(carries_row); })
-      sum_.begin(carries_row);
-    else
-      sum_.begin();
-  }
+  void begin() { sum_.begin(); }
 
-  MALUS_INLINE void scatter(const SurfacePoint& point, const Vec3& exitant,
-                            const Scatterer<M>& scatterer, const BsdfSampleOf<R>& sample,
-                            float factor) {
+  /// Where a walk is to put what it finds and draws at the current vertex: in its own places, since
+  /// nothing of it is remembered.
+  static Hit& place(Hit& of_walk) { return of_walk; }
+  static BsdfSampleOf<R>& place(BsdfSampleOf<R>& of_walk) { return of_walk; }
+
+  MALUS_INLINE void scatter(const Hit& point, const Vec3& exitant, const Scatterer<M>& scatterer,
+                            const BsdfSampleOf<R>& sample, float factor) {
     if constexpr (!R::polarized)
       sum_.scatter(sample.weight * factor);
     else

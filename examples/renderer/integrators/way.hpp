@@ -159,9 +159,14 @@ struct CameraSide {
   }
   void fly(const Medium& medium, const Vec3& ray_direction, const Flight& flight) const {
     if (medium.extinguishes_by_polarization())
-      path.transmit(medium.template polarized_transmittance<R>(-ray_direction, flight.distance));
+      path.transmit(
+          medium.template polarized_transmittance<Matrices>(-ray_direction, flight.distance));
     path.attenuate(flight.weight);
   }
+
+ private:
+  /// Whose matrices media make, if R has any.
+  using Matrices = std::conditional_t<R::polarized, malus::Polarized<Rgb>, R>;
 };
 
 /// A path from a light in media.

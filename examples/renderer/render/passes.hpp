@@ -39,10 +39,10 @@ std::unique_ptr<Passes> make_passes(const Scene& scene, const RenderOptions& opt
 using PassesMaker =
     std::function<std::unique_ptr<Passes>(const Scene&, const RenderOptions&, Film&)>;
 
-// its two halves, compiled side by side
-std::unique_ptr<Passes> make_surface_passes(const Scene& scene, const RenderOptions& options,
-                                            Film& film);
-std::unique_ptr<Passes> make_media_passes(const Scene& scene, const RenderOptions& options,
-                                          Film& film);
+/// The scene's algorithm by the family R, of surfaces alone or with media. Each has a translation
+/// unit of its own.
+template <class R, class M>
+std::unique_ptr<Passes> make_passes_of(const Scene& scene, const RenderOptions& options,
+                                       Film& film);
 
 }  // namespace renderer

@@ -10,14 +10,27 @@
 #include <string>
 #include <utility>
 
+#include "../integrators/scatterer.hpp"
 #include "../io/input_error.hpp"
 #include "checkpoint.hpp"
 
 namespace renderer {
 
+namespace {
+
+template <class R>
+std::unique_ptr<Passes> make_passes_by(const Scene& scene, const RenderOptions& options,
+                                       Film& film) {
+  return scene.has_media() ? make_passes_of<R, WithMedia>(scene, options, film)
+                           : make_passes_of<R, NoMedia>(scene, options, film);
+}
+
+}  // namespace
+
 std::unique_ptr<Passes> make_passes(const Scene& scene, const RenderOptions& options, Film& film) {
-  return scene.has_media() ? make_media_passes(scene, options, film)
-                           : make_surface_passes(scene, options, film);
+  return options.mode == Mode::unpolarized
+             ? make_passes_by<malus::Unpolarized<Rgb>>(scene, options, film)
+             : make_passes_by<malus::Polarized<Rgb>>(scene, options, film);
 }
 
 /// Sequences of a pixel help what its own paths find and connect. They do nothing for light that

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rendering of scenes with participating media.
+// Rendering by intensities of scenes with participating media.
 #include "render_passes.hpp"
 
 namespace renderer {
 
-std::unique_ptr<Passes> make_media_passes(const Scene& scene, const RenderOptions& options,
-                                          Film& film) {
-  return make_passes_with<WithMedia>(scene, options, film);
-}
+template std::unique_ptr<Passes> make_passes_of<malus::Unpolarized<Rgb>, WithMedia>(
+    const Scene&, const RenderOptions&, Film&);
 
 }  // namespace renderer

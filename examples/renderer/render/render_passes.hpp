@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What instantiates the integrators: the passes of each algorithm, by a family of radiometry, with
-// media or without. One translation unit compiles it for each of the two.
+// media or without.
 #pragma once
 
 #include <utility>
@@ -35,22 +35,12 @@ class PassesOf final : public Passes {
   Pass pass_;
 };
 
-/// The scene's algorithm by the family R.
 template <class R, class M>
 std::unique_ptr<Passes> make_passes_of(const Scene& scene, const RenderOptions& options,
                                        Film& film) {
   if (Techniques::named(scene.integrator.name))
     return std::make_unique<PassesOf<BidirectionalPass<R, M>>>(scene, options, film);
   return std::make_unique<PassesOf<PathPass<R, M>>>(scene, options, film);
-}
-
-/// By the family of the options' mode.
-template <class M>
-std::unique_ptr<Passes> make_passes_with(const Scene& scene, const RenderOptions& options,
-                                         Film& film) {
-  return options.mode == Mode::unpolarized
-             ? make_passes_of<malus::Unpolarized<Rgb>, M>(scene, options, film)
-             : make_passes_of<malus::Polarized<Rgb>, M>(scene, options, film);
 }
 
 }  // namespace renderer

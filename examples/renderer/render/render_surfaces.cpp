@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rendering of scenes of surfaces alone: no code of media is in it.
+// Rendering by intensities of scenes of surfaces alone: no code of media is in it.
 #include "render_passes.hpp"
 
 namespace renderer {
 
-std::unique_ptr<Passes> make_surface_passes(const Scene& scene, const RenderOptions& options,
-                                            Film& film) {
-  return make_passes_with<NoMedia>(scene, options, film);
-}
+template std::unique_ptr<Passes> make_passes_of<malus::Unpolarized<Rgb>, NoMedia>(
+    const Scene&, const RenderOptions&, Film&);
 
 }  // namespace renderer

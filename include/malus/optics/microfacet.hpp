@@ -294,10 +294,11 @@ class MicrofacetDistribution {
 template <std::floating_point T, Vector3 D>
 FramePair<T> frames_of_facet(const D& in, const D& out) {
   const auto a = detail::to_vec3<T>(in), b = detail::to_vec3<T>(out);
-  const glm::vec<3, T> s = glm::cross(a, b);
+  glm::vec<3, T> s = glm::cross(a, b);
   constexpr T parallel = std::numeric_limits<T>::epsilon();
-  if (glm::dot(s, s) > parallel) return frames_with_common_axis<T>(a, b, s);
-  return frames_with_common_axis<T>(a, b, Frame<T>::about(a).x());
+  if (!(glm::dot(s, s) > parallel)) [[unlikely]]
+    s = Frame<T>::about(a).x();
+  return frames_with_common_axis<T>(a, b, s);
 }
 
 /// The Mueller BRDF of a rough conductor of relative complex index eta + ik, in the coordinates of

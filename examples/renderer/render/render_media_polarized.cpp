@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Rendering of polarised light of scenes with participating media.
+#include "render_passes.hpp"
+
+namespace renderer {
+
+template std::unique_ptr<Passes> make_passes_of<malus::Polarized<Rgb>, WithMedia>(
+    const Scene&, const RenderOptions&, Film&);
+
+}  // namespace renderer
