@@ -21,17 +21,21 @@ struct Wavefront {
   std::size_t count() const { return in_order_of_paths.size(); }
 };
 
+/// A ray that comes straight from the camera, from wherever its near plane is.
+bool leaves(const renderer::Vec3& camera, const RTCRay& ray) {
+  const renderer::Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  const renderer::Vec3 way = renderer::Vec3(ray.org_x, ray.org_y, ray.org_z) - camera;
+  const renderer::Vec3 aside = glm::cross(direction, way);
+  return glm::dot(direction, way) >= 0 && glm::dot(aside, aside) <= 1e-9f * glm::dot(way, way);
+}
+
 /// A path begins with the ray that leaves the camera.
 std::pair<Wavefront, Wavefront> fronts_of(const Recording& recording,
                                           const renderer::Vec3& camera) {
   Wavefront nearest, shadow;
   std::size_t edge = 0;
   for (const RecordedRay& r : recording.rays) {
-    if (!r.is_shadow) {
-      const bool begins =
-          r.ray.org_x == camera.x && r.ray.org_y == camera.y && r.ray.org_z == camera.z;
-      edge = begins ? 0 : edge + 1;
-    }
+    if (!r.is_shadow) edge = leaves(camera, r.ray) ? 0 : edge + 1;
     Wavefront& w = r.is_shadow ? shadow : nearest;
     if (w.fronts.size() <= edge) w.fronts.resize(edge + 1);
     w.fronts[edge].push_back(r.ray);
