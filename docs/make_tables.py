@@ -63,7 +63,8 @@ def convergence(content):
                 found = [t for r in rows if (r["scene"], r["algorithm"], r["variant"]) == (scene, algorithm, variant) for t in r["time_to"]
                          if t["quantity"] == quantity and t["error"] == target]
                 cells.append(marks[found[0]["how"]] + number(found[0]["seconds"]) if found else "—")
-            if any(c != "—" for c in cells):
+            # What has no polarisation is nearer to it than that in most scenes, and never comes nearer.
+            if any(c != "—" for c in cells) and (quantity, variant) != ("S1-S3", "unpolarized"):
                 listed.append([scene, quantity.replace("-", "–"), variant, *cells])
     return (f"Seconds to a relative error of {target:g} ({content['settings']['resolution']} pixels across; ≤: at the first point "
             "already; ≈: along the line through the last three; —: more than 30 times as long as was measured, or never).\n\n" +
