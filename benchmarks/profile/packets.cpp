@@ -148,7 +148,8 @@ Rays sorted(const Rays& rays, const renderer::Vec3& low, const renderer::Vec3& e
   };
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
     const RTCRay& r = rays[i];
-    const std::uint32_t octant = (r.dir_x < 0) | (r.dir_y < 0) << 1 | (r.dir_z < 0) << 2;
+    const std::uint32_t octant =
+        (r.dir_x < 0 ? 1u : 0u) | (r.dir_y < 0 ? 2u : 0u) | (r.dir_z < 0 ? 4u : 0u);
     keys[i] = {
         octant << 27 | interleaved(cell(r.org_x, low.x, extent.x), cell(r.org_y, low.y, extent.y),
                                    cell(r.org_z, low.z, extent.z)),
