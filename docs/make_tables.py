@@ -45,7 +45,7 @@ def limits(content):
                 f"{r['stream_gigabytes_per_second']:.1f}", f"{r['nanoseconds_per_random_line']:.1f}"] for r in content["photon_map"]]
     return (table(["scene", "algorithm", "mode", "ns a path", "rays + shadow rays", "ns a ray alone", "ns a shadow ray alone",
                    "rays alone, of the time", "ns of the rest"], rays) + "\n\n" +
-            table(["scene", "rays", "path by path", "wavefront", "by 8", "by 16", "to sort it", "sorted", "by 8", "by 16"], packets) + "\n\n" +
+            table(["scene", "rays", "path by path", "wavefront", "by 8", "by 16", "to sort it", "sorted", "sorted, by 8", "sorted, by 16"], packets) + "\n\n" +
             table(["scene", "mode", "photons", "bytes a photon", "ns to build, a photon", "ns a query", "photons found", "their GB/s",
                    "GB/s in order", "ns of a line at random"], photons))
 
