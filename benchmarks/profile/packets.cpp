@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,12 +47,12 @@ std::pair<Wavefront, Wavefront> fronts_of(const Recording& recording,
 
 // tracing
 
-struct alignas(64) Packet8 {
+struct Packet8 {
   using Hits = RTCRayHit8;
   using Shadows = RTCRay8;
   static constexpr std::size_t size = 8;
 };
-struct alignas(64) Packet16 {
+struct Packet16 {
   using Hits = RTCRayHit16;
   using Shadows = RTCRay16;
   static constexpr std::size_t size = 16;

@@ -47,7 +47,6 @@ class SummedPath {
   bool reads_polarization() const { return sum_.reads_polarization(); }
   Rgb throughput() const { return sum_.throughput(); }
   auto result() const { return sum_.result(); }
-  const Sum& sum() const { return sum_; }
 
  private:
   Counters& counters_;
