@@ -82,7 +82,7 @@ PhotonTimes time_photons_of(const renderer::Scene& scene, double seconds) {
   const int pixels = scene.film.crop_width * scene.film.crop_height;
   for (int i = 0; i < pixels; ++i) {
     renderer::Sampler random(~1ull, static_cast<std::uint64_t>(i), 0);
-    subpath.trace(random, {}, [&](const auto& v) { paths[0].vertices.push_back(v); });
+    subpath.trace(random, {}, paths[0].vertices, [](const auto&) {});
     paths[0].ends.push_back(paths[0].vertices.size());
   }
   const float radius = scene.integrator.initial_radius * scene.geometry.radius();
@@ -96,7 +96,7 @@ PhotonTimes time_photons_of(const renderer::Scene& scene, double seconds) {
   PhotonTimes t;
   t.mode = R::polarized ? "optimized" : "unpolarized";
   t.photons = paths[0].vertices.size();
-  t.bytes_per_photon = sizeof(renderer::Photon);
+  t.bytes_per_photon = renderer::PhotonMap<R>::bytes_per_photon(false);
   if (t.photons == 0 || points.empty()) return t;
   t.build = least_seconds(seconds, build) * 1e9 / static_cast<double>(t.photons);
   t.bytes = map.bytes();

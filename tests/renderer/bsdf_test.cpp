@@ -205,6 +205,29 @@ TEST_CASE("bsdf: scene files' rough and plastic BSDFs have Mitsuba's names and d
   CHECK(plastic.diffuse_reflectance.constant == Rgb(0.1f, 0.27f, 0.36f));
 }
 
+TEST_CASE("bsdf: scene files' reflectances and transmittances go where they are named") {
+  const std::string mirror = number("specular_reflectance", "0.25"),
+                    window = number("specular_transmittance", "0.75");
+  const auto smooth = std::get<Dielectric>(read_kind("dielectric", mirror + window));
+  CHECK(smooth.specular_reflectance.constant == Rgb(0.25f));
+  CHECK(smooth.specular_transmittance.constant == Rgb(0.75f));
+  const auto rough = std::get<RoughDielectric>(read_kind("roughdielectric", mirror + window));
+  CHECK(rough.specular_reflectance.constant == Rgb(0.25f));
+  CHECK(rough.specular_transmittance.constant == Rgb(0.75f));
+  CHECK(std::get<Conductor>(read_kind("conductor", mirror)).specular_reflectance.constant ==
+        Rgb(0.25f));
+  CHECK(
+      std::get<RoughConductor>(read_kind("roughconductor", mirror)).specular_reflectance.constant ==
+      Rgb(0.25f));
+  const std::string base = number("diffuse_reflectance", "0.125");
+  const auto plastic = std::get<Plastic>(read_kind("plastic", mirror + base));
+  CHECK(plastic.specular_reflectance.constant == Rgb(0.25f));
+  CHECK(plastic.diffuse_reflectance.constant == Rgb(0.125f));
+  const auto pplastic = std::get<PolarizedPlastic>(read_kind("pplastic", mirror + base));
+  CHECK(pplastic.specular_reflectance.constant == Rgb(0.25f));
+  CHECK(pplastic.diffuse_reflectance.constant == Rgb(0.125f));
+}
+
 TEST_CASE(
     "bsdf: what a rough or plastic BSDF cannot be is told with its line and what is allowed") {
   const auto has = [](const std::string& message, std::initializer_list<std::string_view> parts) {

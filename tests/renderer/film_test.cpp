@@ -146,3 +146,35 @@ TEST_CASE("camera: the Stokes frame's x is the picture's right, its y is up") {
   CHECK(frame.x()[0] == doctest::Approx(1));
   CHECK(frame.y()[2] == doctest::Approx(1));
 }
+
+TEST_CASE("camera: a focal length is that of a full-frame camera, across the diagonal") {
+  const std::string before = camera_begin.substr(0, camera_begin.find("<float name=\"fov\""));
+  const auto corner = [&](const std::string& parameters) {
+    return slope(build(before + parameters + "</sensor>").sensor->ray({0, 0}).direction);
+  };
+  const double d = std::hypot(40.0, 20.0);
+  for (const double millimetres : {50.0, 28.0}) {
+    CAPTURE(millimetres);
+    const double half = std::hypot(36.0, 24.0) / 2 / millimetres;
+    const std::string given =
+        "<string name=\"focal_length\" value=\"" + std::to_string(millimetres) + "mm\"/>";
+    CHECK(glm::distance(corner(given), half / d * glm::dvec2(-40, 20)) < 1e-5);
+    if (millimetres == 50) CHECK(glm::distance(corner(""), corner(given)) < 1e-6);
+  }
+}
+
+TEST_CASE("camera: a radiancemeter of an origin and a direction has Mitsuba's up") {
+  const auto up = [](const std::string& direction) {
+    const auto scene = build(
+        "<sensor type=\"radiancemeter\"><point name=\"origin\" value=\"1, 2, 3\"/><vector "
+        "name=\"direction\" value=\"" +
+        direction + "\"/></sensor>");
+    const auto ray = scene.sensor->ray(Vec2(0.5f));
+    CHECK(ray.origin == Vec3(1, 2, 3));
+    return scene.sensor->frame(ray.direction).y();
+  };
+  // The first of Mitsuba's two vectors that complete a direction to a basis.
+  CHECK(glm::length(up("0, 0, 2") - Vec3(1, 0, 0)) < 1e-6f);
+  CHECK(glm::length(up("3, 0, 0") - Vec3(0, 0, -1)) < 1e-6f);
+  CHECK(glm::length(up("0, 1, 0") - Vec3(1, 0, 0)) < 1e-6f);
+}

@@ -84,6 +84,16 @@ TEST_CASE("integrators agree: merges that weigh as much as connections") {
     CHECK_AGREE_BUT_FOR(picture(scene, "bpm", 128, 3), reference,
                         (agreement::Tolerance{.bias = 0.005, .cells = 4}));
   }
+  // In the first iterations, between which the radius shrinks as fast as it may.
+  scene.integrator.radius_alpha = 0;
+  const auto light = [&](const char* name, std::uint64_t samples) {
+    scene.integrator.name = name;
+    const auto film = render_test::render(scene, samples).film;
+    double sum = 0;
+    for (std::size_t p = 0; p < 64 * 64; ++p) sum += film.total(p).mean(0);
+    return sum;
+  };
+  CHECK(light("bpm", 16) == doctest::Approx(light("path", 64)).epsilon(0.06));
 }
 
 TEST_CASE("integrators agree: every kind of light") {
@@ -150,6 +160,19 @@ TEST_CASE("integrators agree: a mesh whose normals are not its faces'") {
     check_agree(build(path_of(4) + camera() + floor_and_wall + shape + lamp),
                 material == glass ? connecting : all, 32, 64);
   }
+  // A leaf whose normals lean to the camera, which sees it from behind: there is nothing to see.
+  const std::string n = " 0 0.575 0.818\n";
+  const auto leaf = folder.write(
+      "leaf.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list "
+      "uchar int vertex_indices\nend_header\n-1 -1 0" +
+          n + "1 -1 0" + n + "1 1 0" + n + "-1 1 0" + n + "3 0 1 2\n3 0 2 3\n");
+  check_agree(build(path_of(3) + camera() + floor_and_wall + lamp + "<shape type=\"ply\">" +
+                    file(leaf.string()) + "<transform name=\"to_world\"><scale value=\"0.7\"/>" +
+                    look({0.3, -0.3, 1.1}, {-0.075, 0.171, 1.899}, {-0.061, -0.957, 0.285}) +
+                    "</transform>" + grey + "</shape>"),
+              unbiased, 64);
 }
 
 TEST_CASE("integrators agree: sheets before the light and before the camera, counted or not") {
@@ -173,6 +196,17 @@ TEST_CASE("integrators agree: sheets before the light and before the camera, cou
     scene.integrator.sheets_count = count;
     check_agree(std::move(scene), count && depth == -1 ? all : unbiased, 32, 32);
   }
+}
+
+TEST_CASE("integrators agree: sheets that cover a part, before the light and before the camera") {
+  const auto part = [](const std::string& sheet) {
+    return "<bsdf type=\"mask\">" + number("opacity", 0.4) + sheet + "</bsdf>";
+  };
+  const std::string sheets =
+      square({-0.5, -0.6, 2.8}, {0, 0, 0}, 1.2, part(bsdf("polarizer", number("theta", 20)))) +
+      square({0.1, -3, 1.8}, {0, -5, 2.5}, 0.5,
+             part(bsdf("circular", number("transmittance", 0.5))));
+  check_agree(build(path_of(4) + camera() + stage + lamp + sheets), unbiased, 64);
 }
 
 TEST_CASE("integrators agree: surfaces of two sides, and a light seen from behind") {
@@ -235,7 +269,9 @@ TEST_CASE(
                            number("principal_point_offset_y", -0.07);
   // Nearer than the plane; the wall is beyond the far one in part.
   const std::string near = ball({0, -3.2, 1.6}, 0.3, grey);
-  check_agree(build(path_of(4) + camera("", lens) + stage + lamp + near), all, 32, 32);
+  // Beyond the far one.
+  const std::string far = square({-1, 2, 1.8}, {0, -5, 2.5}, 0.4, black + emits(1));
+  check_agree(build(path_of(4) + camera("", lens) + stage + lamp + near + far), all, 32, 32);
 }
 
 TEST_CASE("integrators agree: lights hidden from the camera are seen in reflections alone") {
@@ -243,6 +279,53 @@ TEST_CASE("integrators agree: lights hidden from the camera are seen in reflecti
   check_agree(build(path_of(3, "<boolean name=\"hide_emitters\" value=\"true\"/>") + camera() +
                     stage + globe + sky),
               unbiased, 32, 32);
+  // The half that is seen through a sheet is not hidden.
+  const std::string foil = square({-0.9, -3, 1.95}, {0, -5, 2.5}, 0.42,
+                                  bsdf("polarizer", number("theta", 20)), {0, 0, 1});
+  check_agree(build(path_of(3, "<boolean name=\"hide_emitters\" value=\"true\"/>") + camera() +
+                    stage + globe + foil),
+              unbiased, 32, 32);
+}
+
+TEST_CASE("integrators agree: roulette from the first vertex on") {
+  const std::string white = bsdf("diffuse", number("reflectance", 0.6));
+  Scene scene = build(path_of(5) + camera() + square({0, 0, 0}, {0, 0, 1}, 2, white, {0, 1, 0}) +
+                      square({0, 2.3, 1.9}, {0, 0, 1.6}, 1.5, white, {0, 0, 1}) +
+                      ball({0.3, -0.3, 0.8}, 0.6, white) + lamp);
+  scene.integrator.rr_depth = 1;
+  check_agree(std::move(scene), all, 64);
+}
+
+TEST_CASE("integrators agree: a picture so large that photons are traced part by part") {
+  // A row of tiles more than 2^20 pixels, seen from above: two parts.
+  constexpr int width = 1024, height = 1040, last_rows = 16;
+  Scene scene = build(path_of(2) + camera() + square({0, 0, 0}, {0, 0, 1}, 2, grey, {0, 1, 0}) +
+                      square({0, 0, 3}, {0, 0, 0}, 2, black + emits(1), {0, 1, 0}));
+  scene.film.width = scene.film.crop_width = width;
+  scene.film.height = scene.film.crop_height = height;
+  scene.sensor =
+      build("<sensor type=\"perspective\">" + number("fov", 80) + "<transform name=\"to_world\">" +
+            look({0, 0, 2.2}, {0, 0, 0}, {0, 1, 0}) + "</transform></sensor>" + sky)
+          .sensor;
+  scene.integrator.initial_radius = 0.005f;
+  // Where the parts meet, and of the last.
+  const auto rows = [&](const char* name) {
+    scene.integrator.name = name;
+    const auto film = render_test::render(scene, 1, Mode::unpolarized).film;
+    const auto sum = [&](int first, int last) {
+      double light = 0;
+      for (int p = width * first; p < width * last; ++p)
+        light += film.total(static_cast<std::size_t>(p)).mean(0);
+      return light;
+    };
+    return std::pair{sum(height / 2, height / 2 + 64), sum(height - last_rows, height)};
+  };
+  const auto expected = rows("bdpt"), gathered = rows("ppm");
+  CHECK(gathered.first == doctest::Approx(expected.first).epsilon(0.02));
+  CHECK(gathered.second == doctest::Approx(expected.second).epsilon(0.05));
+  const auto merged = rows("vcm");
+  CHECK(merged.first == doctest::Approx(expected.first).epsilon(0.02));
+  CHECK(merged.second == doctest::Approx(expected.second).epsilon(0.02));
 }
 
 TEST_CASE("integrators agree: a radiancemeter") {

@@ -148,6 +148,68 @@ TEST_CASE("media agree: media that emit") {
   check_agree(staged(body(fire)), {ptracer}, 64);
 }
 
+TEST_CASE("media agree: several media that emit, one in two bodies, and a body within one") {
+  const auto fire = [](const std::string& radiance) {
+    return coefficients("0.5, 1, 2", "0.3, 0.2, 0.1") + rgb("emission", radiance) + rayleigh;
+  };
+  const std::string stage = volpath(3) + camera() + floor_and_wall;
+  const auto flame = [](const glm::dvec3& center, double radius, const std::string& content) {
+    return ball(center, radius, null + content);
+  };
+  const std::string pair = flame({0.8, -0.5, 0.8}, 0.5, medium(fire("2, 1, 0.5"))) +
+                           flame({-0.7, 0.2, 1.2}, 0.8, medium(fire("0.3, 0.6, 0.9")));
+  const std::string one_in_two =
+      "<medium type=\"homogeneous\" id=\"fire\">" + fire("0.9, 0.4, 0.1") + "</medium>" +
+      flame({0.9, -0.5, 0.7}, 0.4, "<ref id=\"fire\" name=\"interior\"/>") +
+      flame({-0.7, 0.2, 1.2}, 0.6, "<ref id=\"fire\" name=\"interior\"/>");
+  // What bounds nothing doesn't say which medium is around it.
+  const std::string around = body(fire("0.9, 0.4, 0.1"), 0.9) + ball({0.3, -0.3, 1.1}, 0.5, grey);
+  for (const std::string& bodies : {pair, one_in_two, around}) {
+    CAPTURE(bodies);
+    check_agree(build(stage + bodies), {ptracer, media_ppm}, 64);
+  }
+}
+
+TEST_CASE("media agree: what a medium emits goes by its density, on light paths as well") {
+  const Folder folder;
+  std::string bytes = "VOL\x03";
+  const auto put = [&](auto value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  for (const std::int32_t i : {1, 3, 2, 2, 1}) put(i);
+  for (const float f : {0.f, 0.f, 0.f, 1.f, 1.f, 1.f}) put(f);
+  for (int i = 0; i < 12; ++i) put(static_cast<float>(i * 5 % 7) / 3);
+  const auto path = folder.path() / "flame.vol";
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<int>(bytes.size()));
+  const std::string place =
+      "<transform name=\"to_world\"><scale value=\"1.4\"/><translate x=\"-0.5\" y=\"-1\" "
+      "z=\"0.4\"/></transform>";
+  const std::string flame = "<volume name=\"sigma_t\" type=\"gridvolume\">" + file(path.string()) +
+                            place + "</volume>" + rgb("albedo", "0.5, 0.3, 0.2") +
+                            rgb("emission", "0.9, 0.4, 0.1");
+  const std::string box =
+      "<shape type=\"cube\"><transform name=\"to_world\"><translate x=\"1\" y=\"1\" "
+      "z=\"1\"/><scale value=\"0.7\"/><translate x=\"-0.5\" y=\"-1\" z=\"0.4\"/></transform>" +
+      null + medium(flame, "interior", "heterogeneous") + "</shape>";
+  check_agree(build(volpath(3) + camera() + floor_and_wall + box), {ptracer, media_ppm}, 64);
+}
+
+TEST_CASE("media agree: what is before a near plane neither takes light nor gives any") {
+  std::string eye = camera("", number("fov", 40) + number("near_clip", 2));
+  eye.insert(eye.find("<film"), "<ref id=\"air\" name=\"medium\"/>");
+  std::string light = lamp;
+  light.insert(light.find("</emitter>"), "<ref id=\"air\" name=\"medium\"/>");
+  check_agree(build("<medium type=\"homogeneous\" id=\"air\">" + haze + rayleigh + "</medium>" +
+                    volpath(3) + eye + stage + light),
+              unbiased, 64);
+  // Nor does what is beyond the far one.
+  const std::string fire =
+      coefficients("0.5, 1, 2", "0.3, 0.2, 0.1") + rgb("emission", "2, 1, 0.5");
+  check_agree(build(volpath(3) + camera("", number("fov", 40) + number("far_clip", 4.2)) +
+                    floor_and_wall + body(fire, 0.6)),
+              {ptracer}, 64);
+}
+
 TEST_CASE("media agree: each strategy alone gives all light of its length") {
   Scene scene = filled(coefficients("0.1, 0.1, 0.2", "0.2, 0.3, 0.2") + rayleigh +
                            rgb("linear_birefringence", "20, 30, 50"),

@@ -144,6 +144,13 @@ TEST_CASE("light: directional and point lights give the irradiance they say") {
       number("irradiance", 2) + "</emitter>";
   CHECK(read_meter(eye + floor_of_08 + directional).stokes.x ==
         doctest::Approx(0.8 / pi * 2 * std::sqrt(0.5)).epsilon(1e-5));
+  // Without a direction, along the transform's z: the same.
+  const std::string turned =
+      "<emitter type=\"directional\"><transform name=\"to_world\"><rotate y=\"1\" "
+      "angle=\"135\"/><scale value=\"3\"/></transform>" +
+      number("irradiance", 2) + "</emitter>";
+  CHECK(read_meter(eye + floor_of_08 + turned).stokes.x ==
+        doctest::Approx(0.8 / pi * 2 * std::sqrt(0.5)).epsilon(1e-5));
   const std::string point = "<emitter type=\"point\"><point name=\"position\" value=\"3, 0, 4\"/>" +
                             number("intensity", 5) + "</emitter>";
   CHECK(read_meter(eye + floor_of_08 + point).stokes.x ==

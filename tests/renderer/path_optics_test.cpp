@@ -291,6 +291,26 @@ TEST_CASE("optics: a retarder changes continuously with the direction it is seen
   CHECK(most < 0.03);
 }
 
+TEST_CASE("optics: a tilted retarder retards by its cosine less") {
+  // Turned about its fast axis, which stays the picture's right.
+  const auto seen = [](double tilt, double delta) {
+    const double t = radians(tilt);
+    return read_meter(
+               meter({0, -4, 0}, {0, 0, 0}, {1, 0, 0}) + sky +
+               square({0, 0, 0}, {0, -std::cos(t), std::sin(t)}, 3,
+                      bsdf("retarder", number("delta", delta)), {0, std::sin(t), std::cos(t)}) +
+               square({0, 9, 0}, {0, 0, 0}, 3, bsdf("polarizer", number("theta", 45)), {0, 0, 1}))
+        .stokes;
+  };
+  for (const double tilt : {30.0, 60.0, -45.0}) {
+    CAPTURE(tilt);
+    const double seen_delta = 90 * std::cos(radians(tilt));
+    CHECK(render_test::difference(seen(tilt, 90), seen(0, seen_delta)) < 1e-5);
+    CHECK(std::abs(seen(tilt, 90)[3]) ==
+          doctest::Approx(0.5 * std::sin(radians(seen_delta))).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("optics: radiance grows by the square of the index on its way into glass") {
   // No reflection to speak of in the mean: what arrives is (1 - R) n^2.
   const double n = 1.5, r = 0.04;

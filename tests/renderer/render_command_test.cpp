@@ -199,7 +199,7 @@ TEST_CASE("malus-render: writes R G B and the four Stokes components, and says w
   CHECK(json["interrupted"] == false);
 
   REQUIRE(
-      run({law, "-o", up, "--stokes-frame", "up", "--spp", "128", "--seed", "7", "-D", "angle=30"})
+      run({"-o", up, "--stokes-frame", "up", "--spp", "128", "--seed", "7", "-D", "angle=30", law})
           .status == 0);
   const auto turned = renderer::read_exr(up);
   CHECK(turned.metadata.at("malus:stokes_frame") == "up");

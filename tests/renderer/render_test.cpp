@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "render/statistics.hpp"
 #include "render_scenes.hpp"
 
 using namespace render_test;
@@ -108,4 +109,28 @@ TEST_CASE("render: samples are independent of how many are asked for") {
   const auto a = render(scene, 8), b = render(scene, 16);
   CHECK(a.film.total(820).count * 2 == b.film.total(820).count);
   CHECK(b.film.total(820).stokes[0] >= a.film.total(820).stokes[0]);
+}
+
+TEST_CASE(
+    "render: the statistics' measurement is by component and channel, in the frame asked for") {
+  // Behind a polarizer at 30 degrees and a retarder nothing is 0 and nothing is alike.
+  const auto scene =
+      build(meter({0, 0, 4}, {0, 0, 0}, {1, 0, 0}) +
+            "<emitter type=\"constant\"><rgb name=\"radiance\" value=\"1, 2, 4\"/></emitter>" +
+            square({0, 0, 0}, {0, 0, 1}, 1, bsdf("retarder", number("delta", 70)), {0, 1, 0}) +
+            square({0, 0, -1}, {0, 0, 1}, 1, bsdf("polarizer", number("theta", 30)), {0, 1, 0}));
+  const Rendering rendering = render(scene, 4);
+  const auto total = rendering.film.total(0);
+  for (const auto frame : {renderer::StokesFrame::horizontal, renderer::StokesFrame::up}) {
+    const auto json = renderer::statistics(scene, {}, rendering, frame, 1)["measurement"];
+    for (std::size_t s = 0; s < 4; ++s)
+      for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(s);
+        CAPTURE(c);
+        const bool turns = frame == renderer::StokesFrame::up && (s == 1 || s == 2);
+        const double expected = total.mean(3 * s + c) * (turns ? -1 : 1);
+        CHECK(std::abs(expected) > 0.05);
+        CHECK(json["S" + std::to_string(s)][c].get<double>() == expected);
+      }
+  }
 }

@@ -90,6 +90,18 @@ TEST_CASE("sampler: 2^k points of a sequence, from a multiple of it on, lie one 
         }
 }
 
+TEST_CASE("sampler: two numbers drawn one after the other are a pair, whatever is drawn between") {
+  for (std::uint64_t i = 0; i < 64; ++i) {
+    Sampler pairs = Sampler::sobol(3, 4, i), singles = pairs;
+    const Vec2 first = pairs.next_2d(), second = pairs.next_2d(), third = pairs.next_2d();
+    CHECK(singles.next_1d() == first.x);
+    CHECK(singles.next_2d() == second);
+    CHECK(singles.next_1d() == first.y);
+    CHECK(singles.next_1d() == third.x);
+    CHECK(singles.next_1d() == third.y);
+  }
+}
+
 TEST_CASE("sampler: every point is uniform over the square, and over pairs of coordinates") {
   // 15 tests of 256 cells; a chi-square of so many exceeds 6 deviations less than once in 10^6.
   for (const std::uint64_t index : {0u, 1u, 6u, 12345u, 0xffffffffu}) {

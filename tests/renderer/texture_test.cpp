@@ -196,6 +196,38 @@ TEST_CASE("texture: texture coordinates of an obj count from the bottom unless t
   CHECK(at(0.1f, 0.2f, as_is) == doctest::Approx(0.1));
 }
 
+TEST_CASE("texture: texture coordinates of a ply are as they are unless they are flipped") {
+  const Folder folder;
+  const auto ply = folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nproperty float u\nproperty float v\nelement face 1\nproperty list uchar int "
+      "vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n4 0 1 2 3\n");
+  const auto v = [&](const std::string& more) {
+    const auto scene =
+        build(some_meter + "<shape type=\"ply\">" + file(ply) + more +
+              textured("<texture type=\"checkerboard\" name=\"reflectance\"/>") + "</shape>");
+    return hit_of(scene, {0.1f, 0.2f, 3}, {0.8f, 0.9f, 0}).uv.y;
+  };
+  CHECK(v("") == doctest::Approx(0.9));
+  CHECK(v("<boolean name=\"flip_tex_coords\" value=\"true\"/>") == doctest::Approx(0.1));
+}
+
+TEST_CASE("texture: where one number is wanted of a colour it is its luminance") {
+  // ITU-R BT.709.
+  const double weights[] = {0.2126, 0.7152, 0.0722};
+  for (std::size_t c = 0; c < 3; ++c) {
+    CAPTURE(c);
+    Rgb color(0.0f);
+    color.set(c, 1.0f);
+    const Texture pure(renderer::Bitmap({1, 1, {color}}, renderer::Bitmap::Filter::nearest,
+                                        renderer::Bitmap::Wrap::repeat),
+                       {});
+    CHECK(renderer::FloatTexture(pure)({}) == doctest::Approx(weights[c]).epsilon(1e-3));
+    CHECK(renderer::FloatTexture(pure).mean() == doctest::Approx(weights[c]).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("texture: u and v of a sphere, a cube and a mesh without them are Mitsuba's") {
   const std::string checkers = textured("<texture type=\"checkerboard\" name=\"reflectance\"/>");
   const auto sphere = build(some_meter + "<shape type=\"sphere\">" + checkers + "</shape>");

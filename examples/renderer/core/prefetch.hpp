@@ -11,4 +11,11 @@ inline void prefetch([[maybe_unused]] const void* address) {
 #endif
 }
 
+/// The same of one that will be written.
+inline void prefetch_to_write([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address, 1);
+#endif
+}
+
 }  // namespace renderer

@@ -3,9 +3,11 @@
 // one sample of every pixel: camera paths contribute to their own pixel, light paths to any.
 #pragma once
 
+#include <memory_resource>
 #include <span>
 #include <vector>
 
+#include "../core/huge_pages.hpp"
 #include "film.hpp"
 #include "film_settings.hpp"
 
@@ -31,7 +33,7 @@ class Exposure {
       : film_(film),
         pixels_(static_cast<std::size_t>(film.crop_width) *
                 static_cast<std::size_t>(film.crop_height)),
-        readings_(pixels_ * layers) {}
+        readings_(pixels_ * layers, &huge_pages()) {}
 
   void clear() { readings_.assign(readings_.size(), {}); }
 
@@ -54,7 +56,7 @@ class Exposure {
 
   const FilmSettings& film_;
   std::size_t pixels_;
-  std::vector<malus::Measurement<Rgb>> readings_;  // by layer, then pixel
+  std::pmr::vector<malus::Measurement<Rgb>> readings_;  // by layer, then pixel
 };
 
 }  // namespace renderer

@@ -25,7 +25,8 @@ namespace renderer {
 template <class R>
 struct Iteration {
   float light_paths = 1;  ///< in the whole picture
-  MisFactors factors;     ///< their η are the inverse of what merged light is multiplied by
+  MisFactors factors;
+  float merged_power = 1;  ///< what merged light is multiplied by is this over the factors' η
   const PhotonMap<R>* photons = nullptr;
   const PhotonMap<R>* media_photons = nullptr;
 };
@@ -57,7 +58,7 @@ class BidirectionalIntegrator {
       lens_.connect_light(sampler, iteration.light_paths, splats);
     if constexpr (M::present)
       if (techniques_.lens_alone) lens_.connect_glow(sampler, iteration.light_paths, splats);
-    subpath_.trace(sampler, f, [&](const LightVertex<R, M>& v) {
+    subpath_.trace(sampler, f, paths.vertices, [&](LightVertex<R, M>& v) {
       const auto weigh = [&](float camera_pdf, const auto& value) {
         if (techniques_.lens_alone) return 1.0f;
         const float merge = f.merge(v.scatterer.is_medium());
@@ -68,11 +69,9 @@ class BidirectionalIntegrator {
       if ((techniques_.connect && selects_or_all({v.vertex, 1})) || techniques_.lens_alone)
         lens_.connect(v, iteration.light_paths, weigh, sampler, splats);
       if (techniques_.lens_alone) return;
-      paths.vertices.push_back(v);
-      typename R::Light& light = paths.vertices.back().light;
       if constexpr (R::polarized)
-        if (!stores_polarization_) light = R::unpolarized(R::intensity(light));
-      counters_.count_stored(light);
+        if (!stores_polarization_) v.light = R::unpolarized(R::intensity(v.light));
+      counters_.count_stored(v.light);
     });
     paths.ends.push_back(paths.vertices.size());
   }
@@ -300,7 +299,7 @@ class BidirectionalIntegrator {
   void merge(const Vertex& v) {
     const bool in_medium = v.scatterer.is_medium();
     const PhotonMap<R>& photons = in_medium ? *iteration_->media_photons : *iteration_->photons;
-    const float normalization = 1 / (v.merge * opacity(v));
+    const float normalization = iteration_->merged_power / (v.merge * opacity(v));
     const bool reads_polarization = v.scatterer.polarizes();
     photons.each_near(v.hit.position, [&](const Photon& photon, std::size_t i) {
       const int edges = static_cast<int>(photon.edges) + v.edges;

@@ -27,6 +27,11 @@ float incident_correction(const Scatterer<M>& s, const SurfacePoint& p, const Ve
 /// there.
 template <class R, class M>
 struct LightVertex {
+  LightVertex() = default;
+  LightVertex(const SurfacePoint& p, const Vec3& i, const Scatterer<M>& s,
+              const typename R::Light& l, const SubpathMis& m, int e, int v)
+      : point(p), incident(i), scatterer(s), light(l), mis(m), edges(e), vertex(v) {}
+
   SurfacePoint point;
   Vec3 incident;            ///< to where the light comes from
   Scatterer<M> scatterer;   ///< of the side it comes to; not a delta distribution
@@ -62,11 +67,12 @@ class LightSubpath {
   LightSubpath(const Scene& scene, Counters& counters)
       : scene_(scene), counters_(counters), way_(scene) {}
 
-  /// Walks one path from a light and shows every vertex that something can be connected to.
-  /// Where it isn't connected to camera paths, which find the light of media by themselves, it may
-  /// start in a medium.
+  /// Walks one path from a light and appends every vertex that something can be connected to, and
+  /// shows it there. Where it isn't connected to camera paths, which find the light of media by
+  /// themselves, it may start in a medium.
   template <class Visit>
-  void trace(Sampler& sampler, const MisFactors& factors, Visit&& visit) {
+  void trace(Sampler& sampler, const MisFactors& factors, std::vector<LightVertex<R, M>>& vertices,
+             Visit&& visit) {
     EmissionSample emission;
     if (!scene_.emit(sampler, factors.connection == 0, emission)) return;
     typename R::Light light = R::unpolarized(emission.power);
@@ -104,7 +110,7 @@ class LightSubpath {
       arrive(mis, emission, last, hit, scatterer, ray.direction, vertex == 2);
       if (!scatterer.is_delta()) {
         ++counters_.light_vertices;
-        visit(LightVertex<R, M>{hit, incident, scatterer, light, mis, edges, vertex});
+        visit(vertices.emplace_back(hit, incident, scatterer, light, mis, edges, vertex));
       }
 
       BsdfSampleOf<R> sample;

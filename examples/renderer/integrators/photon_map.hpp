@@ -7,17 +7,18 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <span>
 
+#include "../core/huge_pages.hpp"
 #include "../core/prefetch.hpp"
 #include "light_subpath.hpp"
 
 namespace renderer {
 
-/// What merging needs of a light vertex, polarised or not. Most that are looked at are too far
-/// away, so what a merge alone needs of polarised light is not here. One cache line.
+/// What merging needs of a light vertex, polarised or not, but for its place. One cache line.
 struct alignas(64) Photon {
-  Vec3 position, incident, geometric_normal;  ///< no normal in a medium
+  Vec3 incident, geometric_normal;  ///< no normal in a medium
   SubpathMis mis;
   std::uint32_t edges : 31, is_polarized : 1;
   Rgb intensity;
@@ -62,29 +63,15 @@ class PhotonMap {
     radius_ = radius;
     center_ = center;
     inverse_cell_ = 1 / (2 * radius);
-    std::size_t count = 0;
     const auto each = [&](auto&& visit) {
       for (const auto& p : paths)
         for (const auto& v : p.vertices)
           if (v.scatterer.is_medium() == in_media) visit(v);
     };
-    bool any_is_polarized = false;
-    each([&](const auto& v) {
-      ++count;
-      if constexpr (R::polarized) any_is_polarized |= !R::is_unpolarized(v.light);
-    });
-    const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(count, 1024));
-    mask_ = static_cast<std::uint32_t>(buckets - 1);
-    starts_.assign(buckets + 1, 0);
-    photons_.resize(count);
-    lights_.resize(any_is_polarized ? count : 0);
-
-    each([&](const auto& v) { ++starts_[bucket(cell(v.point.position)) + 1]; });
-    for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
-    // Filling moves each bucket's start to its end, which is the next one's start.
-    each([&](const auto& v) { store(v, starts_[bucket(cell(v.point.position))]++); });
-    for (std::size_t b = buckets; b > 0; --b) starts_[b] = starts_[b - 1];
-    starts_[0] = 0;
+    std::size_t vertices = 0;
+    for (const auto& p : paths) vertices += p.vertices.size();
+    const bool any_is_polarized = count_in_buckets(each, vertices);
+    fill(each, any_is_polarized);
   }
 
   /// Shows every photon nearer to a point than the radius, once, with its number.
@@ -104,18 +91,17 @@ class PhotonMap {
     for (int k = 0; k < 8; ++k) {
       const std::uint32_t b = buckets[k];
       buckets[k] = starts_[b], ends[k] = starts_[b + 1];
-      // What lies in order behind these comes by itself.
-      for (std::uint32_t i = buckets[k]; i < std::min(ends[k], buckets[k] + 4); ++i)
-        prefetch(&photons_[i]);
+      // What lies in order behind it comes by itself.
+      prefetch(positions_.data() + buckets[k]);
     }
     Found found;
     for (int k = 0; k < 8; ++k) {
       const glm::ivec3 c = corner(low, k);
       for (std::uint32_t i = buckets[k]; i < ends[k]; ++i) {
-        const Photon& photon = photons_[i];
-        const Vec3 way = photon.position - point;
-        if (!(glm::dot(way, way) < radius2) || cell(photon.position) != c) continue;
-        if (photon.is_polarized) prefetch(&lights_[i]);
+        const Vec3 way = positions_[i] - point;
+        if (!(glm::dot(way, way) < radius2) || cell(positions_[i]) != c) continue;
+        prefetch(&photons_[i]);
+        if (!lights_.empty()) prefetch(&lights_[i]);
         found.number[found.count++] = i;
         if (found.count == Found::most) show(found, visit);
       }
@@ -133,11 +119,11 @@ class PhotonMap {
   float radius() const { return radius_; }
   /// Without or with what polarised light takes.
   static constexpr std::size_t bytes_per_photon(bool is_polarized) {
-    return sizeof(Photon) + (is_polarized ? sizeof(PhotonLight<R>) : 0);
+    return sizeof(Vec3) + sizeof(Photon) + (is_polarized ? sizeof(PhotonLight<R>) : 0);
   }
   std::size_t bytes() const {
-    return photons_.capacity() * sizeof(Photon) + lights_.capacity() * sizeof(PhotonLight<R>) +
-           starts_.capacity() * sizeof(std::uint32_t);
+    const auto of = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+    return of(buckets_) + of(starts_) + of(positions_) + of(photons_) + of(lights_);
   }
 
  private:
@@ -153,10 +139,52 @@ class PhotonMap {
     found.count = 0;
   }
 
+  /// Finds the bucket of every vertex, and where the photons of each bucket are to start. Whether
+  /// light of any is polarised.
+  template <class Each>
+  bool count_in_buckets(const Each& each, std::size_t most) {
+    const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(most, 1024));
+    mask_ = static_cast<std::uint32_t>(buckets - 1);
+    starts_.assign(buckets + 1, 0);
+    buckets_.clear();
+    bool any_is_polarized = false;
+    each([&](const auto& v) {
+      buckets_.push_back(bucket(cell(v.point.position)));
+      ++starts_[buckets_.back() + 1];
+      if constexpr (R::polarized) any_is_polarized |= !R::is_unpolarized(v.light);
+    });
+    for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
+    return any_is_polarized;
+  }
+
+  /// Stores every vertex in its bucket. Everything lies at random in memory, so that the next
+  /// vertices' places are asked for before they are written.
+  template <class Each>
+  void fill(const Each& each, bool any_is_polarized) {
+    const std::size_t count = buckets_.size();
+    positions_.resize(count);
+    photons_.resize(count);
+    lights_.resize(any_is_polarized ? count : 0);
+    // Filling moves each bucket's start to its end, which is the next one's start.
+    std::size_t next = 0;
+    each([&](const auto& v) {
+      constexpr std::size_t ahead = 8;
+      if (next + ahead < count) {
+        const std::uint32_t place = starts_[buckets_[next + ahead]];
+        prefetch_to_write(&positions_[place]);
+        prefetch_to_write(&photons_[place]);
+        if (any_is_polarized) prefetch_to_write(&lights_[place]);
+      }
+      store(v, starts_[buckets_[next++]]++);
+    });
+    for (std::size_t b = mask_ + std::size_t(1); b > 0; --b) starts_[b] = starts_[b - 1];
+    starts_[0] = 0;
+  }
+
   template <class Vertex>
   void store(const Vertex& v, std::size_t i) {
+    positions_[i] = v.point.position;
     Photon& photon = photons_[i];
-    photon.position = v.point.position;
     photon.incident = v.incident;
     photon.geometric_normal = v.point.geometric_normal;
     photon.mis = v.mis;
@@ -184,9 +212,13 @@ class PhotonMap {
   Vec3 center_{};
   float radius_ = 0, inverse_cell_ = 0;
   std::uint32_t mask_ = 0;
-  std::vector<std::uint32_t> starts_;   // of each bucket's photons
-  std::vector<Photon> photons_;         // in the buckets' order
-  std::vector<PhotonLight<R>> lights_;  // in the same, of polarised light alone
+  template <class T>
+  using Array = std::pmr::vector<T>;
+  Array<std::uint32_t> buckets_{&huge_pages()};  // of the vertices in their own order
+  Array<std::uint32_t> starts_{&huge_pages()};   // of each bucket's photons
+  Array<Vec3> positions_{&huge_pages()};         // in the buckets' order
+  Array<Photon> photons_{&huge_pages()};         // in the same
+  Array<PhotonLight<R>> lights_{&huge_pages()};  // in the same, of polarised light alone
 };
 
 }  // namespace renderer

@@ -41,9 +41,10 @@ class BidirectionalPass {
     for (std::uint64_t i = first; i < last; i += layers_) {
       const auto layers = static_cast<std::size_t>(std::min<std::uint64_t>(layers_, last - i));
       exposure_.clear();
-      // A large picture is done in parts, each with its own light paths: memory stays bounded.
-      for (std::size_t tile = 0; tile < tiles_.count(); tile += tiles_at_once)
-        if (!run_part(i, layers, tile, std::min(tile + tiles_at_once, tiles_.count()), stopped))
+      const std::size_t parts = this->parts();
+      for (std::size_t part = 0; part < parts; ++part)
+        if (!run_part(i, layers, tiles_.count() * part / parts, tiles_.count() * (part + 1) / parts,
+                      stopped))
           return false;
       for (std::size_t layer = 0; layer < layers; ++layer)
         develop(layer, static_cast<std::size_t>((i + layer) % film_.batches()));
@@ -108,6 +109,10 @@ class BidirectionalPass {
     return techniques_.merge ? (least_photon_paths + pixels - 1) / pixels : 1;
   }
 
+  /// A large picture is done in parts of about the same size, each with its own light paths: memory
+  /// stays bounded.
+  std::size_t parts() const { return (tiles_.count() + tiles_at_once - 1) / tiles_at_once; }
+
   /// One part of the picture in iterations [first, first + layers).
   template <class Stopped>
   bool run_part(std::uint64_t first, std::size_t layers, std::size_t first_tile,
@@ -160,10 +165,13 @@ class BidirectionalPass {
     std::uint64_t photon_paths = 0;
     for (std::size_t tile = first_tile; tile < last_tile; ++tile)
       photon_paths += tiles_.pixels(tile) * paths_per_pixel_;
-    const auto n = static_cast<float>(photon_paths);
+    // One part's light paths bring light to another's pixels, so that all parts must weigh alike:
+    // as if each had the mean's photons.
+    const float n = it.light_paths / static_cast<float>(parts());
     const float r = radius(first), r_media = media_radius(first);
     it.factors.surface_merge = pi * r * r * n;
     it.factors.media_merge = 4 / 3.0f * pi * r_media * r_media * r_media * n;
+    it.merged_power = n / static_cast<float>(photon_paths);
     it.photons = &photons_;
     it.media_photons = &media_photons_;
     return it;

@@ -101,7 +101,7 @@ void add_options(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   app.add_option("-D", a.definitions, "Set a parameter of the scene: -D name=value")
       ->take_all()
-      ->expected(1)
+      ->allow_extra_args(false)  // what follows is the scene
       ->type_name("NAME=VALUE");
   app.add_flag("--confined", a.confined,
                "Refuse scenes that read files outside of their own folder");
