@@ -3,6 +3,9 @@
 // order, furnaces.
 #include <doctest/doctest.h>
 
+#include <limits>
+
+#include "integrators/visibility.hpp"
 #include "render_scenes.hpp"
 
 using namespace render_test;
@@ -87,6 +90,40 @@ TEST_CASE(
   CHECK(both.error.x < found.error.x);
   CHECK(found.error.x < 0.01 * found.stokes.x);
   CHECK(deviation(both, found) < 4);  // 6 in 10^5 seeds would fail
+}
+
+TEST_CASE("light: between points of one masked plane a shadow ray comes to its end") {
+  // Which side of it the other point is on is rounding, wherever the plane is.
+  const std::string mask = "<bsdf type=\"mask\">" + number("opacity", 0.3) +
+                           bsdf("twosided", bsdf("diffuse")) + "</bsdf>";
+  renderer::Sampler sampler(11, 0, 0);
+  const auto within = [&] { return 2 * sampler.next_1d() - 1; };
+  for (int plane = 0; plane < 8; ++plane) {
+    const float a = within(), b = within(), c = within();
+    const renderer::Scene scene = build(eye + square({2 * a, 3 * b, 5 * c}, {b, c, a}, 1, mask));
+    renderer::Counters counters;
+    renderer::Visibility<malus::Unpolarized<renderer::Rgb>, renderer::NoMedia> visibility(scene,
+                                                                                          counters);
+    const auto point = [&] {
+      const renderer::Vec3 center(2 * a, 3 * b, 5 * c),
+          normal = glm::normalize(renderer::Vec3(b, c, a) - center);
+      const renderer::Basis basis(normal);
+      const renderer::Vec3 off = center + 0.6f * (within() * basis.s + within() * basis.t) + normal;
+      renderer::Hit hit;
+      REQUIRE(scene.intersect({off, -normal}, hit));
+      return hit;
+    };
+    for (int i = 0; i < 4000; ++i) {
+      const renderer::Hit from = point(), to = point();
+      const renderer::Vec3 way = renderer::normalized(to.position - from.position);
+      // As two vertices are connected, and as a vertex is to a lamp in the plane.
+      for (const renderer::Ray& ray : {from.leave_for(to, way), from.leave_for(to.position, way)}) {
+        REQUIRE(visibility.open(ray, from.position, to.position, std::numeric_limits<int>::max(),
+                                {}, sampler));
+        CHECK(visibility.passed() <= 1);
+      }
+    }
+  }
 }
 
 TEST_CASE("light: a length limit cuts both strategies at the same number of vertices") {

@@ -161,6 +161,21 @@ TEST_CASE("malus-render: a file or folder that must not be written is left alone
   const std::string scene = folder.write("scene.xml", scene_text(sky)).string();
   CHECK(run({scene, "-o", folder.path().string()}).status == 2);
   CHECK(run({scene, "-o", (folder.path() / "none" / "out.exr").string()}).status == 2);
+  // What is read, or written already, by this name or another.
+  const std::string out = (folder.path() / "new.exr").string(),
+                    same = (folder.path() / "." / "scene.xml").string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{scene, "-o", scene},
+        {scene, "-o", same},
+        {scene, "-o", out, "--stats", same},
+        {scene, "-o", out, "--checkpoint", scene},
+        {scene, "-o", out, "--stats", out},
+        {scene, "-o", out, "--checkpoint", out},
+        {scene, "-o", out, "--stats", out + "s", "--checkpoint", out + "s"}}) {
+    CHECK(run(arguments).status == 2);
+    CHECK(content(scene) == scene_text(sky));
+    CHECK_FALSE(fs::exists(out));
+  }
   if (geteuid() == 0) return;  // the superuser may write anything
   const auto output = folder.write("out.exr", "precious");
   ::chmod(output.c_str(), 0444);

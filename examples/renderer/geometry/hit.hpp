@@ -57,6 +57,11 @@ struct SurfacePoint {
     geometric_normal = -geometric_normal;
     normal = -normal;
   }
+  /// Whether a point is nearer to the plane of the surface here than rays start off it: which side
+  /// it is on is rounding.
+  bool touches(const Vec3& point) const {
+    return std::abs(glm::dot(geometric_normal, point - position)) < reach / 2;
+  }
   /// A ray that leaves towards w.
   MALUS_INLINE Ray leave(const Vec3& w) const {
     return {by_components(offset(w)), by_components(w)};

@@ -3,6 +3,7 @@
 // on its way from the one to the other.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <malus/radiometry.hpp>
 
@@ -74,6 +75,9 @@ class Visibility {
   typename Way<M>::Transmittance transmittance() const { return transmittance_; }
 
  private:
+  /// Of one way: more than any scene has, but a ray that gets nowhere comes to its end.
+  static constexpr int most_passages = 1 << 16;
+
   bool shadow() {
     ++counters_.shadowed;
     return false;
@@ -98,14 +102,15 @@ class Visibility {
         fly_to(target, place, sampler);
         return true;
       }
-      if (passed_ == most) return false;
+      if (passed_ == std::min(most, most_passages)) return false;
       fly_to(hit.position, place, sampler);
       if constexpr (M::present)
         place = scene_.shapes[hit.shape].beyond(glm::dot(hit.geometric_normal, to_end) > 0, place);
       if (!pass(hit, -to_end)) return false;
       ray = hit.leave_for(target, to_end);
-      // What is nearer to a surface than rays start off it has been reached.
-      if (!(glm::dot(ray.direction, to_end) > 0)) {
+      // What is nearer to a surface than rays start off it has been reached. In the surface's own
+      // plane, a ray there may meet the surface again and again.
+      if (!(glm::dot(ray.direction, to_end) > 0) || hit.touches(target)) {
         fly_to(target, place, sampler);
         ++passed_;
         return true;

@@ -206,22 +206,34 @@ void add_metadata(Image& image, const Arguments& a, const Scene& scene,
   m["malus:sampler"] = name_of(options.sampler);
 }
 
+bool are_one_place(const std::string& a, const std::string& b) {
+  std::error_code failed;
+  const auto place = std::filesystem::weakly_canonical(a, failed);
+  return !failed && place == std::filesystem::weakly_canonical(b, failed) && !failed;
+}
+
+/// Nothing that is written may stand where something else of the same run is.
 void check_outputs(const Arguments& a) {
   if (std::isnan(a.seconds)) throw InputError("--time: nan is not a number of seconds");
   if (a.explain) return;
   if (a.output.empty()) throw InputError("-o: the name of an OpenEXR file to write is required");
-  check_writable(a.output);
-  if (!a.checkpoint.empty()) {
-    const auto checkpoint = std::filesystem::weakly_canonical(a.checkpoint);
-    if (checkpoint == std::filesystem::weakly_canonical(a.output) ||
-        (!a.stats.empty() && checkpoint == std::filesystem::weakly_canonical(a.stats)))
-      throw InputError("--checkpoint " + a.checkpoint +
-                       ": the picture or --stats is to be written there");
+  struct Use {
+    const char* option;
+    const std::string& file;
+    const char* what;
+  };
+  const Use uses[] = {{"", a.scene, "the scene is read from there"},
+                      {"-o ", a.output, "the picture is to be written there"},
+                      {"--stats ", a.stats, "--stats is to be written there"},
+                      {"--checkpoint ", a.checkpoint, ""}};
+  for (const Use* use = uses + 1; use != std::end(uses); ++use) {
+    if (use->file.empty()) continue;
+    for (const Use* other = uses; other != use; ++other)
+      if (!other->file.empty() && are_one_place(use->file, other->file))
+        throw InputError(use->option + use->file + ": " + other->what);
   }
-  if (a.stats.empty()) return;
-  check_writable(a.stats);
-  if (std::filesystem::weakly_canonical(a.stats) == std::filesystem::weakly_canonical(a.output))
-    throw InputError("--stats " + a.stats + ": the picture is to be written there");
+  check_writable(a.output);
+  if (!a.stats.empty()) check_writable(a.stats);
 }
 
 int render_command(const Arguments& a, std::ostream& out, std::ostream& err) {
