@@ -4,13 +4,17 @@
 // told apart by the photons' own cells, so that none is met twice.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <memory>
 #include <memory_resource>
 #include <span>
+#include <vector>
 
 #include "../core/huge_pages.hpp"
+#include "../core/parallel.hpp"
 #include "../core/prefetch.hpp"
 #include "light_subpath.hpp"
 
@@ -63,15 +67,12 @@ class PhotonMap {
     radius_ = radius;
     center_ = center;
     inverse_cell_ = 1 / (2 * radius);
-    const auto each = [&](auto&& visit) {
-      for (const auto& p : paths)
-        for (const auto& v : p.vertices)
-          if (v.scatterer.is_medium() == in_media) visit(v);
-    };
-    std::size_t vertices = 0;
-    for (const auto& p : paths) vertices += p.vertices.size();
-    const bool any_is_polarized = count_in_buckets(each, vertices);
-    fill(each, any_is_polarized);
+    const bool any_is_polarized = find_buckets(paths, in_media);
+    const std::size_t count = find_places();
+    positions_.resize(count);
+    photons_.resize(count);
+    lights_.resize(any_is_polarized ? count : 0);
+    store_all(paths);
   }
 
   /// Shows every photon nearer to a point than the radius, once, with its number.
@@ -123,7 +124,7 @@ class PhotonMap {
   }
   std::size_t bytes() const {
     const auto of = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-    return of(buckets_) + of(starts_) + of(positions_) + of(photons_) + of(lights_);
+    return of(places_) + of(starts_) + of(positions_) + of(photons_) + of(lights_);
   }
 
  private:
@@ -139,46 +140,64 @@ class PhotonMap {
     found.count = 0;
   }
 
-  /// Finds the bucket of every vertex, and where the photons of each bucket are to start. Whether
-  /// light of any is polarised.
-  template <class Each>
-  bool count_in_buckets(const Each& each, std::size_t most) {
-    const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(most, 1024));
-    mask_ = static_cast<std::uint32_t>(buckets - 1);
-    starts_.assign(buckets + 1, 0);
-    buckets_.clear();
-    bool any_is_polarized = false;
-    each([&](const auto& v) {
-      buckets_.push_back(bucket(cell(v.point.position)));
-      ++starts_[buckets_.back() + 1];
-      if constexpr (R::polarized) any_is_polarized |= !R::is_unpolarized(v.light);
+  /// Shows every vertex with its number, on all threads.
+  template <class M, class Visit>
+  void each_vertex(std::span<const LightPaths<R, M>> paths, const Visit& visit) const {
+    constexpr std::size_t grain = 16;
+    parallel_for(paths.size(), grain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i != last; ++i) {
+        std::size_t number = firsts_[i];
+        for (const auto& v : paths[i].vertices) visit(v, number++);
+      }
     });
-    for (std::size_t b = 0; b < buckets; ++b) starts_[b + 1] += starts_[b];
+  }
+
+  /// The bucket of every vertex, in its place; whether light of any is polarised.
+  template <class M>
+  bool find_buckets(std::span<const LightPaths<R, M>> paths, bool in_media) {
+    firsts_.assign(1, 0);
+    for (const auto& p : paths) firsts_.push_back(firsts_.back() + p.vertices.size());
+    places_.resize(firsts_.back());
+    starts_.assign(std::bit_ceil(std::max<std::size_t>(places_.size(), 1024)) + 1, 0);
+    mask_ = static_cast<std::uint32_t>(starts_.size() - 2);
+    std::atomic<bool> any_is_polarized{false};
+    each_vertex(paths, [&](const auto& v, std::size_t number) {
+      places_[number] = nowhere;
+      if (v.scatterer.is_medium() != in_media) return;
+      places_[number] = bucket(cell(v.point.position));
+      if constexpr (R::polarized)
+        if (!R::is_unpolarized(v.light)) any_is_polarized.store(true, std::memory_order_relaxed);
+    });
     return any_is_polarized;
   }
 
-  /// Stores every vertex in its bucket. Everything lies at random in memory, so that the next
-  /// vertices' places are asked for before they are written.
-  template <class Each>
-  void fill(const Each& each, bool any_is_polarized) {
-    const std::size_t count = buckets_.size();
-    positions_.resize(count);
-    photons_.resize(count);
-    lights_.resize(any_is_polarized ? count : 0);
-    // Filling moves each bucket's start to its end, which is the next one's start.
-    std::size_t next = 0;
-    each([&](const auto& v) {
-      constexpr std::size_t ahead = 8;
-      if (next + ahead < count) {
-        const std::uint32_t place = starts_[buckets_[next + ahead]];
-        prefetch_to_write(&positions_[place]);
-        prefetch_to_write(&photons_[place]);
-        if (any_is_polarized) prefetch_to_write(&lights_[place]);
-      }
-      store(v, starts_[buckets_[next++]]++);
-    });
-    for (std::size_t b = mask_ + std::size_t(1); b > 0; --b) starts_[b] = starts_[b - 1];
+  /// The place of every photon by its bucket and, of one bucket, by its number; how many there are.
+  /// By one thread, so that the places don't depend on how many there are.
+  std::size_t find_places() {
+    for (const std::uint32_t b : places_)
+      if (b != nowhere) ++starts_[b + std::size_t(1)];
+    for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
+    // This moves each bucket's start to its end, which is the next one's start.
+    for (std::uint32_t& place : places_)
+      if (place != nowhere) place = starts_[place]++;
+    for (std::size_t b = starts_.size() - 1; b > 0; --b) starts_[b] = starts_[b - 1];
     starts_[0] = 0;
+    return starts_.back();
+  }
+
+  /// Everything lies at random in memory: what is to be written next is asked for before.
+  template <class M>
+  void store_all(std::span<const LightPaths<R, M>> paths) {
+    each_vertex(paths, [&](const auto& v, std::size_t number) {
+      constexpr std::size_t ahead = 8;
+      if (number + ahead < places_.size() && places_[number + ahead] != nowhere) {
+        const std::uint32_t next = places_[number + ahead];
+        prefetch_to_write(&positions_[next]);
+        prefetch_to_write(&photons_[next]);
+        if (!lights_.empty()) prefetch_to_write(&lights_[next]);
+      }
+      if (places_[number] != nowhere) store(v, places_[number]);
+    });
   }
 
   template <class Vertex>
@@ -212,9 +231,11 @@ class PhotonMap {
   Vec3 center_{};
   float radius_ = 0, inverse_cell_ = 0;
   std::uint32_t mask_ = 0;
+  static constexpr std::uint32_t nowhere = 0xffffffffu;  // of vertices that are no photons here
+  std::vector<std::size_t> firsts_;  // of each list's vertices, the number of the first
   template <class T>
   using Array = std::pmr::vector<T>;
-  Array<std::uint32_t> buckets_{&huge_pages()};  // of the vertices in their own order
+  Array<std::uint32_t> places_{&huge_pages()};   // of photons, by the numbers of their vertices
   Array<std::uint32_t> starts_{&huge_pages()};   // of each bucket's photons
   Array<Vec3> positions_{&huge_pages()};         // in the buckets' order
   Array<Photon> photons_{&huge_pages()};         // in the same
