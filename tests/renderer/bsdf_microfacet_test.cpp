@@ -257,6 +257,28 @@ TEST_CASE("bsdf: a white base under a coat that absorbs nothing gives all light 
   }
 }
 
+TEST_CASE("bsdf: that is so up to the ends of the indices that are allowed") {
+  Sampler sampler(33, 34, 35);
+  for (const float eta : {0.01f, 100.0f}) {
+    CAPTURE(eta);
+    const Bsdf bsdf = plastic(eta, true, Rgb(1.0f)).bsdf;
+    Event e(sampler);
+    e.look_from(0, 0);
+    double albedo = malus::fresnel_dielectric(1.0, static_cast<double>(eta)).mean();
+    // No light leaves a rarer coat but near the normal: cosines from there on, in even steps.
+    const double lowest = eta < 1 ? std::sqrt(1 - static_cast<double>(eta) * eta) : 0;
+    constexpr int steps = 512;
+    for (int i = 0; i < steps; ++i) {
+      const double z = lowest + (1 - lowest) * (i + 0.5) / steps;
+      const auto value =
+          bsdf.value<Unpolarized>(e.hit, e.direction(static_cast<float>(z), 1.0f), e.known);
+      albedo += static_cast<double>(value.m00[0]) * z * (1 - lowest) / steps * 2 *
+                static_cast<double>(pi);
+    }
+    CHECK(albedo == doctest::Approx(1).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("bsdf: values stay finite from alpha = 0.001 to 1 and at grazing directions") {
   Sampler sampler(36, 37, 38);
   int directions_drawn = 0;

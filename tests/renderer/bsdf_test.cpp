@@ -250,3 +250,21 @@ TEST_CASE(
   has(refusal("plastic", number("diffuse_reflectance", "1.2")), {"diffuse_reflectance", "1.2"});
   has(refusal("ruffconductor", ""), {"known are", "roughconductor", "pplastic"});
 }
+
+TEST_CASE("bsdf: indices of refraction are above 0 and of a ratio that single precision holds") {
+  for (const std::string type : {"dielectric", "roughdielectric", "plastic", "pplastic"}) {
+    CAPTURE(type);
+    const auto error = [&](const std::string& inner, const std::string& outer) {
+      return refusal(type, number("int_ior", inner) + number("ext_ior", outer));
+    };
+    CHECK(error("100", "1") == "no error");
+    CHECK(error("0.02", "2") == "no error");
+    CHECK_MESSAGE_HAS(error("0", "1"), "scene.xml:2: ", "\"int_ior\" is 0; allowed:", "above 0");
+    CHECK_MESSAGE_HAS(error("1", "-1.5"), "\"ext_ior\" is -1.5; allowed:");
+    CHECK_MESSAGE_HAS(error("150", "1"), "scene.xml:2: ", "inside, 150,", "outside, 1,", "is 150; ",
+                      "allowed: 0.01 to 100");
+    CHECK_MESSAGE_HAS(error("1e-9", "1"), "1e-09", "allowed: 0.01 to 100");
+    CHECK_MESSAGE_HAS(error("1e30", "1e-300"), "allowed: 0.01 to 100");
+    CHECK_MESSAGE_HAS(refusal(type, number("ext_ior", "1e4")), "outside, 10000,", "0.01 to 100");
+  }
+}

@@ -99,6 +99,14 @@ TEST_CASE("merge: what is no part of the same picture is refused by name") {
   CHECK(refusal(files, true).find("malus:samples") != std::string::npos);
 }
 
+TEST_CASE("merge: OpenEXR is not written under the name of another format") {
+  const char* const arguments[] = {"malus-merge", "none.exr", "-o", "sum.png"};
+  std::ostringstream out, err;
+  CHECK(renderer::malus_merge(4, arguments, out, err) == 2);
+  CHECK(err.str().find("-o: \"sum.png\"") != std::string::npos);
+  CHECK(err.str().find("OpenEXR (.exr)") != std::string::npos);
+}
+
 TEST_CASE("merge: pixels beyond light are told from rounding, subnormals and noise") {
   Image image(6, 1, {"S0", "S1", "S2", "S3", "SE0", "SE1", "SE2", "SE3"});
   const float nan = std::numeric_limits<float>::quiet_NaN();

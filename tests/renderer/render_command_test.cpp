@@ -117,6 +117,73 @@ TEST_CASE("malus-render: what is wrong in a scene is told with its file and line
   check_refused("", {"scene.xml"});
 }
 
+TEST_CASE("malus-render: what is wrong in a scene is told with the value and what is allowed") {
+  const auto sphere = [](const std::string& radius) {
+    return scene_text("<shape type=\"sphere\"><float name=\"radius\" value=\"" + radius +
+                      "\"/></shape>" + sky);
+  };
+  check_refused(sphere("1e39"), {"scene.xml:3", "radius is 1e+39 ", "reaches to 1e+39 "});
+  check_refused(sphere("1e-50"), {"scene.xml:3", "radius is 1e-50 ", "allowed: a radius of 1e-18"});
+  const auto camera = [](const std::string& parameters) {
+    return scene_text(sky, "<sensor type=\"perspective\">" + parameters + "</sensor>");
+  };
+  const auto number = [](const std::string& name, const std::string& value) {
+    return "<float name=\"" + name + "\" value=\"" + value + "\"/>";
+  };
+  check_refused(camera(number("fov", "180")), {"scene.xml:2", "\"fov\" is 180; ", "less than 180"});
+  check_refused(camera(number("near_clip", "3") + number("far_clip", "2.5")),
+                {"scene.xml:2", "\"far_clip\" is 2.5; ", "more than near_clip, 3"});
+  check_refused(camera(number("near_clip", "20000")), {"\"far_clip\" is 10000; ", "20000"});
+  check_refused(
+      scene_text("<bsdf type=\"conductor\">"
+                 "<rgb name=\"eta\" value=\"1, 1e-50, 1\"/><rgb name=\"k\" value=\"1, 0, 1\"/>"
+                 "</bsdf>" +
+                 sky),
+      {"scene.xml:3", "in the channel G", "1e-50 and 0;", "allowed: one of them above 0"});
+  check_refused(scene_text("<bsdf type=\"mask\"><bsdf type=\"mask\"><bsdf type=\"diffuse\"/></bsdf>"
+                           "</bsdf>" +
+                           sky),
+                {"scene.xml:3", "its <bsdf type=\"mask\"> is masked already", "allowed: one mask"});
+}
+
+TEST_CASE("malus-render: what is wrong in a file is told with the line that asks for it") {
+  const auto refusal = [](const std::string& name, const std::string& bytes,
+                          const std::string& before, const std::string& after) {
+    const Folder folder;
+    folder.write(name, bytes);
+    const auto scene = folder.write(
+        "scene.xml",
+        scene_text(before + "<string name=\"filename\" value=\"" + name + "\"/>" + after));
+    const Result r = run({scene.string(), "-o", (folder.path() / "out.exr").string()});
+    CHECK(r.status == 2);
+    CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+    return r.err;
+  };
+  const auto mesh = [&](const std::string& type, const std::string& bytes) {
+    return refusal("a." + type, bytes, "<shape type=\"" + type + "\">", "</shape>" + sky);
+  };
+  CHECK_MESSAGE_HAS(mesh("obj", "v 0 0 0\nf 1 2 3\n"), "a.obj:2: ", "(asked for in ",
+                    "scene.xml:3)");
+  CHECK_MESSAGE_HAS(mesh("ply", "ply\nformat runes 1.0\n"), "a.ply:2: ", "(asked for in ",
+                    "scene.xml:3)");
+  const auto picture = [&](const std::string& name, const std::string& bytes) {
+    return refusal(name, bytes, "<texture type=\"bitmap\">", "</texture>" + sky);
+  };
+  CHECK_MESSAGE_HAS(picture("a.exr", "\x76\x2f\x31\x01"), "a.exr: ", "(asked for in ",
+                    "scene.xml:3)");
+  const std::string header("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\7\0\0\0\5\x08\x02\0\0\0....", 33);
+  CHECK_MESSAGE_HAS(picture("a.png", header), "scene.xml:3: ", "a.png", "truncated or damaged",
+                    "allowed: a whole PNG file");
+  CHECK_MESSAGE_HAS(picture("a.png", header.substr(0, 20)), "scene.xml:3: ", "begins as a PNG",
+                    "truncated or damaged");
+  const std::string wide = header.substr(0, 17) + "\1\x86\xa0" + header.substr(20);
+  CHECK_MESSAGE_HAS(picture("a.png", wide), "allowed: 65536 pixels a side");
+  CHECK_MESSAGE_HAS(picture("a.tga", "no picture at all"), "cannot be read as a picture",
+                    "allowed: OpenEXR");
+  const std::string told = picture("none.png", header.substr(0, 20));
+  CHECK_FALSE(scene_test::contains(told, "asked for in"));
+}
+
 TEST_CASE("malus-render: what is wrong on the command line is told in one line") {
   const std::string good = scene_text(sky);
   check_refused(good, {"-D", "NAME=VALUE"}, {"-D", "novalue"});
@@ -154,6 +221,43 @@ TEST_CASE("malus-render: what is wrong on the command line is told in one line")
     CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     CHECK_FALSE(fs::exists(output));
   }
+}
+
+TEST_CASE("malus-render: numbers are decimal, and none is made to fit") {
+  const std::string good = scene_text(sky);
+  const std::string large = "99999999999999999999999";
+  check_refused(good, {"--seed", large, "in [0 - 18446744073709551615]"}, {"--seed", large});
+  check_refused(good, {"--seed", "\"-1\"", "[0 - "}, {"--seed", "-1"});
+  check_refused(good, {"--seed", "\"0x10\""}, {"--seed", "0x10"});
+  check_refused(good, {"--threads", "\"0x2\"", "in [1 - 4096]"}, {"--threads", "0x2"});
+  check_refused(good, {"--threads", "\"5000\"", "in [1 - 4096]"}, {"--threads", "5000"});
+  check_refused(good, {"--first-sample", "\"1e3\""}, {"--first-sample", "1e3"});
+  check_refused(good, {"--checkpoint-every", "\"0x10\""}, {"--checkpoint-every", "0x10"});
+  check_refused(good, {"--strategy", "\"0x1\"", "in [0 - 1048576]"}, {"--strategy", "0x1,2"});
+
+  const Folder folder;
+  const std::string scene = folder.write("scene.xml", good).string();
+  const std::string output = (folder.path() / "out.exr").string();
+  REQUIRE(run({scene, "-o", output, "--spp", "010", "--seed", "18446744073709551615"}).status == 0);
+  const auto image = renderer::read_exr(output);
+  CHECK(image.metadata.at("malus:samples_per_pixel") == "10");
+  CHECK(image.metadata.at("malus:seed") == "18446744073709551615");
+}
+
+TEST_CASE("malus-render: OpenEXR is not written under the name of another format") {
+  const Folder folder;
+  const std::string scene = folder.write("scene.xml", scene_text(sky)).string();
+  for (const std::string name :
+       {"a.png", "a.JPG", "a.jpeg", "a.hdr", "a.pfm", "a.tif", "a.tiff", "a.bmp", "a.tga"}) {
+    const std::string output = (folder.path() / name).string();
+    const Result r = run({scene, "-o", output, "--spp", "1"});
+    CHECK(r.status == 2);
+    CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+    CHECK_MESSAGE_HAS(r.err, "--output: ", name + "\"", "OpenEXR (.exr)", "malus-image");
+    CHECK_FALSE(fs::exists(output));
+  }
+  for (const std::string name : {"a.EXR", "a", "a.png.exr"})
+    CHECK(run({scene, "-o", (folder.path() / name).string(), "--spp", "1"}).status == 0);
 }
 
 TEST_CASE("malus-render: a file or folder that must not be written is left alone") {

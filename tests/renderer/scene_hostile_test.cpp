@@ -81,6 +81,54 @@ TEST_CASE("scene hostile: includes that multiply are stopped") {
   CHECK(contains(error, "more than 10000 files are included"));
 }
 
+TEST_CASE("scene hostile: a file included so often that its elements are too many is stopped") {
+  const Folder folder;
+  std::string defaults, includes;  // the elements that leave least
+  for (int i = 0; i < 20000; ++i) defaults += "<default name=\"a\" value=\"\"/>";
+  folder.write("part.xml", in_scene(defaults));
+  for (int i = 0; i < 150; ++i) includes += "<include filename=\"part.xml\"/>\n";
+  const auto path = folder.write("scene.xml", in_scene(includes));
+  CHECK_MESSAGE_HAS(error_of([&] { renderer::read_scene(path, {}); }),
+                    "part.xml:2: ", "more than 2000000 elements", "allowed: 2000000");
+}
+
+TEST_CASE("scene hostile: a file included so often that its bytes are too many is stopped") {
+  const Folder folder;
+  std::string includes;
+  folder.write("part.xml", in_scene("<!--" + std::string(16 << 20, '-') + "->"));
+  for (int i = 0; i < 20; ++i) includes += "<include filename=\"part.xml\"/>\n";
+  const auto path = folder.write("scene.xml", in_scene(includes));
+  CHECK_MESSAGE_HAS(error_of([&] { renderer::read_scene(path, {}); }),
+                    "scene.xml:17: ", "part.xml\" the included files have 268",
+                    "allowed: 268435456 in all");
+}
+
+TEST_CASE("scene hostile: parameters that multiply are stopped") {
+  std::string doubled = "<default name=\"a0\" value=\"0123456789\"/>";
+  for (int i = 1; i <= 20; ++i) {
+    const std::string before = "$a" + std::to_string(i - 1);
+    doubled += "\n<default name=\"a" + std::to_string(i) + "\" value=\"" + before + before + "\"/>";
+  }
+  CHECK_MESSAGE_HAS(scene_test::read_error(doubled), "scene.xml:19: ", "\"$a16\"", "\"0123456789",
+                    "has 1310720 bytes", "put in: 1048576");
+
+  const std::string large = "<default name=\"a\" value=\"" + std::string(1 << 20, 'x') + "\"/>\n";
+  const auto used = [&](int times) {
+    std::string text = large;
+    for (int i = 0; i < times; ++i)
+      text += "<string name=\"s" + std::to_string(i) + "\" value=\"$a\"/>\n";
+    return scene_test::read_error(text);
+  };
+  CHECK(used(64) == "no error");
+  CHECK_MESSAGE_HAS(used(65), "scene.xml:67: ", "\"$a\"", "allowed: 67108864 in all");
+}
+
+TEST_CASE("scene hostile: long values without parameters in them stay as they are") {
+  const std::string value(3 << 20, 'x');
+  const auto scene = scene_test::read("<string name=\"s\" value=\"" + value + "\"/>");
+  CHECK(scene->string("s") == value);
+}
+
 TEST_CASE("scene hostile: an exr's attribute isn't believed to be longer than the file") {
   const Folder folder;
   renderer::write_exr(folder.path() / "whole.exr", renderer::Image(2, 2, {"R", "G", "B"}));
@@ -130,6 +178,41 @@ TEST_CASE("scene hostile: a film that the memory doesn't hold is refused before 
           static_cast<double>(::sysconf(_SC_PAGESIZE)) <
       8e11)
     CHECK(contains(error, "scene.xml:2: a film of 65536 x 65536 pixels takes 687 GB"));
+}
+
+TEST_CASE("scene hostile: a picture of more pixels than anybody means is refused unread") {
+  const Folder folder;
+  const std::string zeros(6 << 20, '\0');  // which bear out the claims
+  const auto png = folder.write(
+      "large.png",
+      std::string(
+          "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x46\x50\0\0\x46\x50\x08\x02\0\0\0....\0\1\0\0IDAT",
+          41) +
+          zeros);
+  const auto hdr = folder.write(
+      "large.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 18000 +X 18000\n" + zeros);
+  renderer::write_exr(folder.path() / "whole.exr", renderer::Image(2, 2, {"R", "G", "B"}));
+  std::string bytes = renderer::read_bytes(folder.path() / "whole.exr", 1 << 20);
+  const std::size_t window = bytes.find("dataWindow");
+  REQUIRE(window != std::string::npos);
+  bytes.replace(window + 29, 8, std::string("\x4f\x46\0\0\x4f\x46\0\0", 8));
+  const auto exr = folder.write("large.exr", bytes + zeros);
+  for (const auto& path : {png, hdr, exr})
+    CHECK_MESSAGE_HAS(error_of([&] { renderer::read_texels(path, false); }), path.string() + ": ",
+                      "18000 x 18000 pixels", "allowed: 268435456 in all");
+}
+
+TEST_CASE("scene hostile: pictures that the memory doesn't hold together are refused") {
+  const Folder folder;
+  const auto path = (folder.path() / "small.exr").string();
+  renderer::write_exr(path, renderer::Image(2, 2, {"R", "G", "B"}));
+  CHECK(renderer::read_texels(path, false, {}, 1 << 20).width == 2);
+  const std::uint64_t petabyte = std::uint64_t{1} << 50;
+  CHECK_MESSAGE_HAS(error_of([&] {
+                      renderer::read_texels(path, false, {"scene.xml", 3}, petabyte);
+                    }),
+                    "scene.xml:3: ", "small.exr", "2 x 2 pixels", "1125899 GB of the textures",
+                    "allowed: 4/5");
 }
 
 TEST_CASE("scene hostile: a picture without pixels is refused") {

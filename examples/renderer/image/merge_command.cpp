@@ -6,6 +6,7 @@
 
 #include "../io/atomic_file.hpp"
 #include "../io/exr.hpp"
+#include "../io/exr_name.hpp"
 #include "../io/input_error.hpp"
 #include "merge.hpp"
 
@@ -34,6 +35,8 @@ int malus_merge(int argc, const char* const* argv, std::ostream& out, std::ostre
                                         std::to_string(MALUS_VERSION_PATCH));
   try {
     app.parse(argc, argv);
+    if (const std::string problem = problem_of_exr_name(output); !problem.empty())
+      throw InputError("-o: " + problem);
     check_writable(output);
     std::vector<NamedImage> images;
     for (const std::string& input : inputs) images.push_back({input, read_exr(input)});

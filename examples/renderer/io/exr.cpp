@@ -74,7 +74,8 @@ void check_size(std::uint64_t width, std::uint64_t height, std::uint64_t channel
   }
 }
 
-void read_header(const Imf::Header& header, std::uint64_t file_size, Image& image) {
+void read_header(const Imf::Header& header, std::uint64_t file_size, const ExrSizeCheck& check,
+                 Image& image) {
   if (header.hasType() && Imf::isDeepData(header.type())) {
     throw std::runtime_error("deep images are not supported, only flat ones");
   }
@@ -96,6 +97,7 @@ void read_header(const Imf::Header& header, std::uint64_t file_size, Image& imag
   if (image.channels.empty()) throw std::runtime_error("the image has no channels");
   check_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
              image.channels.size(), file_size);
+  if (check) check(static_cast<int>(width), static_cast<int>(height), image.channels.size());
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
   for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
@@ -106,14 +108,14 @@ void read_header(const Imf::Header& header, std::uint64_t file_size, Image& imag
   }
 }
 
-Image read_first_part(const std::string& path, std::uint64_t file_size) {
+Image read_first_part(const std::string& path, std::uint64_t file_size, const ExrSizeCheck& check) {
   // Before the file is opened: opening allocates a table as long as the image is high.
   Imf::Header::setMaxImageSize(max_side, max_side);
   Imf::Header::setMaxTileSize(max_side, max_side);
   Imf::MultiPartInputFile file(path.c_str());
   const Imf::Header& header = file.header(0);
   Image image;
-  read_header(header, file_size, image);
+  read_header(header, file_size, check, image);
   image.data.resize(image.pixels() * image.channels.size());
   const auto& window = header.dataWindow();
   Imf::FrameBuffer target;
@@ -153,7 +155,7 @@ void write_exr(const std::string& path, const Image& image) {
   file.commit();
 }
 
-Image read_exr(const std::string& path) {
+Image read_exr(const std::string& path, const ExrSizeCheck& check) {
   const Location where{path, 0};
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -169,7 +171,7 @@ Image read_exr(const std::string& path) {
       throw InputError(where, "is not an OpenEXR file");
     }
     check_attribute_sizes(path);
-    return read_first_part(path, size);
+    return read_first_part(path, size, check);
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {

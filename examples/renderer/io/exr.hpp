@@ -5,6 +5,7 @@
 // names it.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "image.hpp"
@@ -12,6 +13,9 @@
 namespace renderer {
 
 void write_exr(const std::string& path, const Image& image);
-Image read_exr(const std::string& path);
+/// Of a header's width, height and number of channels: throws where they are too much for the
+/// reader's purpose, before memory is set aside.
+using ExrSizeCheck = std::function<void(int, int, std::size_t)>;
+Image read_exr(const std::string& path, const ExrSizeCheck& check = {});
 
 }  // namespace renderer

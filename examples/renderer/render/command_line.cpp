@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <new>
 #include <optional>
@@ -16,9 +18,11 @@
 #include "../io/atomic_file.hpp"
 #include "../io/digest.hpp"
 #include "../io/exr.hpp"
+#include "../io/exr_name.hpp"
 #include "../scene/build.hpp"
 #include "../scene/needs.hpp"
 #include "../scene/requirements.hpp"
+#include "../scene/text.hpp"
 #include "../scene/xml_reader.hpp"
 #include "checkpoint.hpp"
 #include "explain.hpp"
@@ -58,10 +62,35 @@ struct Arguments {
   bool explain = false, confined = false, standard_error = false;
 };
 
+/// CLI11 would take 010 for 8, 0x10 for 16, and what 64 bits don't hold for the most that they do.
+CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest, const std::string& type) {
+  const std::string range = "in [" + std::to_string(lowest) + " - " + std::to_string(highest) + "]";
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || value < lowest ||
+            value > highest)
+          return in_quotes(text) + " is not a whole number " + range;
+        text = std::to_string(value);
+        return {};
+      },
+      type.empty() ? "" : type + " " + range);
+}
+
+CLI::Validator decimal_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return parse_number(text) ? std::string() : in_quotes(text) + " is not a decimal number";
+      },
+      "");
+}
+
 void add_options(CLI::App& app, Arguments& a) {
   app.set_version_flag("--version", version());
   app.add_option("scene", a.scene, "Scene in Mitsuba 3 XML")->required();
-  app.add_option("-o,--output", a.output, "OpenEXR file to write (required, but for --explain)");
+  app.add_option("-o,--output", a.output, "OpenEXR file to write (required, but for --explain)")
+      ->check(CLI::Validator([](std::string& name) { return problem_of_exr_name(name); }, ""));
   app.add_option(
          "--integrator", a.integrator,
          "Path tracing, light tracing, bidirectional path tracing, progressive or "
@@ -73,7 +102,7 @@ void add_options(CLI::App& app, Arguments& a) {
                  "the camera")
       ->delimiter(',')
       ->expected(2)
-      ->check(CLI::Range(0, 1 << 20))
+      ->transform(whole_number(0, 1 << 20, "INT"))
       ->type_name("S,T");
   app.add_option("--mode", a.mode,
                  "auto: follow polarisation where it matters to the picture; or always "
@@ -81,18 +110,15 @@ void add_options(CLI::App& app, Arguments& a) {
       ->check(CLI::IsMember({"auto", "unpolarized", "optimized"}))
       ->capture_default_str();
   auto* spp = app.add_option("--spp", a.samples, "Samples a pixel (default: the scene's)")
-                  ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+                  ->transform(whole_number(1, std::uint64_t{1} << 40, "UINT"));
   app.add_option("--time", a.seconds, "Render for so many seconds instead")
       ->check(CLI::Range(1e-3, 1e8))
+      ->check(decimal_number())
       ->excludes(spp);
   app.add_option("--seed", a.seed, "Seed of the random numbers (default: the scene's)")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            return std::string(text.starts_with('-') ? "a seed is not negative" : "");
-          },
-          ""));
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max(), ""));
   app.add_option("--threads", a.threads, "Threads (default: all processors)")
-      ->check(CLI::Range(1, 4096));
+      ->transform(whole_number(1, 4096, "INT"));
   app.add_option(
          "--sampler", a.sampler,
          "Random numbers: independent, or of scrambled Sobol sequences, which spread a pixel's "
@@ -115,7 +141,7 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--first-sample", a.first_sample,
                  "Number of the first sample: runs of one seed whose numbers don't overlap are "
                  "parts of one picture, for malus-merge")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->transform(whole_number(0, std::uint64_t{1} << 40, "UINT"))
       ->capture_default_str();
   app.add_flag("--standard-error", a.standard_error,
                "Write the components' standard errors too, as SE0.R ... SE3.B");
@@ -124,6 +150,7 @@ void add_options(CLI::App& app, Arguments& a) {
                  "complete");
   app.add_option("--checkpoint-every", a.checkpoint_every, "Seconds between checkpoints")
       ->check(CLI::Range(0.0, 1e8))
+      ->check(decimal_number())
       ->capture_default_str();
   app.add_flag("--explain", a.explain,
                "Say what the scene needs of polarisation, media and light paths, and why, instead "

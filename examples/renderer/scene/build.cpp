@@ -62,7 +62,8 @@ void build_shape(const Object& object, MaterialFactory& materials, MediumFactory
   scene.shape_origins.push_back({object.type(), object.id(), object.location()});
 }
 
-void build_lights(const Object& root, MediumFactory& media, Scene& scene) {
+void build_lights(const Object& root, const TextureFactory& textures, MediumFactory& media,
+                  Scene& scene) {
   for (const auto& emitter : root.children("emitter")) {
     if (emitter->type() == "constant" || emitter->type() == "envmap") {
       if (scene.environment >= 0) emitter->fail("a scene has one environment at most");
@@ -78,7 +79,7 @@ void build_lights(const Object& root, MediumFactory& media, Scene& scene) {
                                             ": a medium would take all light from infinity; "
                                             "allowed: none, for a vacuum");
     }
-    add_light(make_light(*emitter), *emitter, medium, scene);
+    add_light(make_light(*emitter, textures.held()), *emitter, medium, scene);
   }
 }
 
@@ -108,7 +109,7 @@ Scene build_scene(const Object& root) {
   for (const auto& texture : root.children("texture")) materials.textures().make(texture);
   for (const auto& bsdf : root.children("bsdf")) materials.make(bsdf, false);
   for (const auto& shape : root.children("shape")) build_shape(*shape, materials, media, scene);
-  build_lights(root, media, scene);
+  build_lights(root, materials.textures(), media, scene);
 
   const auto sensors = root.children("sensor");
   if (sensors.empty()) root.fail("the scene has no <sensor>");

@@ -55,8 +55,8 @@ std::uint32_t add_shape_geometry(const Object& shape, Geometry& geometry,
 
 /// A <emitter> of a shape.
 AreaLight make_area_light(const Object& emitter, const Geometry& geometry, std::uint32_t shape);
-/// A <emitter> of the scene itself.
-Emitter make_light(const Object& emitter);
+/// A <emitter> of the scene itself, whose textures hold so many bytes.
+Emitter make_light(const Object& emitter, std::uint64_t held);
 
 void build_sensor(const Object& sensor, MediumFactory& media, Scene& scene);
 void build_integrator(const Object& integrator, Scene& scene);

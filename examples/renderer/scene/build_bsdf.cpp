@@ -6,6 +6,7 @@
 
 #include "build.hpp"
 #include "conductor_data.hpp"
+#include "text.hpp"
 
 namespace renderer {
 
@@ -33,8 +34,9 @@ constexpr std::array<std::pair<std::string_view, double>, 20> named_indices{{
 double index_of_refraction(const Object& o, std::string_view name, std::string_view otherwise) {
   if (o.has(name) && o.kind_of(name) != ValueKind::string) {
     const double index = o.number(name);
-    if (!(index > 0)) o.fail(name, "an index of refraction is above 0");
-    return index;
+    if (index > 0) return index;
+    o.fail(name, "the parameter " + in_quotes(name) + " is " + shown(index) +
+                     "; allowed: an index of refraction above 0, or a material's name");
   }
   const std::string material = o.string(name, otherwise);
   for (const auto& [known, index] : named_indices)
@@ -55,10 +57,16 @@ Bsdf::Kind make_diffuse(const Object& o, TextureFactory& textures) {
 ConductorIndex conductor_index(const Object& o) {
   const std::string name = o.string("material", "none");
   const bool given = o.has("eta") || o.has("k");
-  ConductorIndex index{to_rgb(o.color_in("eta", glm::dvec3(0), 0, 1e4)),
-                       to_rgb(o.color_in("k", glm::dvec3(1), 0, 1e4))};
-  for (std::size_t i = 0; i < 3; ++i)
-    if (index.eta[i] == 0 && index.k[i] == 0) o.fail("k", "eta and k are both 0 in a channel");
+  const glm::dvec3 eta = o.color_in("eta", glm::dvec3(0), 0, 1e4);
+  const glm::dvec3 k = o.color_in("k", glm::dvec3(1), 0, 1e4);
+  const ConductorIndex index{to_rgb(eta), to_rgb(k)};
+  for (int i = 0; i < 3; ++i) {
+    const auto channel = static_cast<std::size_t>(i);
+    if (index.eta[channel] == 0 && index.k[channel] == 0)
+      o.fail("k", "eta and k are both 0 in the channel " + std::string(1, "RGB"[i]) +
+                      ", as single precision holds " + shown(eta[i]) + " and " + shown(k[i]) +
+                      "; allowed: one of them above 0");
+  }
   if (name == "none") return index;
   if (given)
     o.fail("material", "a conductor is given by its material or by eta and k, not by both");
@@ -73,9 +81,19 @@ Bsdf::Kind make_conductor(const Object& o, TextureFactory& textures) {
   return Conductor{index.eta, index.k, textures.color(o, "specular_reflectance", 1)};
 }
 
+/// In between, a coat over a white base takes and makes no light beyond 2e-4, by single precision;
+/// farther out, what gets out of a plastic's coat is the difference of two numbers that are nearly
+/// the same.
+constexpr double smallest_ratio = 0.01, largest_ratio = 100;
+
 float relative_index(const Object& o, std::string_view inner) {
-  return static_cast<float>(index_of_refraction(o, "int_ior", inner) /
-                            index_of_refraction(o, "ext_ior", "air"));
+  const double inside = index_of_refraction(o, "int_ior", inner);
+  const double outside = index_of_refraction(o, "ext_ior", "air");
+  const double ratio = inside / outside;
+  if (ratio >= smallest_ratio && ratio <= largest_ratio) return static_cast<float>(ratio);
+  o.fail(o.has("int_ior") ? "int_ior" : "ext_ior",
+         "the index inside, " + shown(inside) + ", over that outside, " + shown(outside) + ", is " +
+             shown(ratio) + "; allowed: " + shown(smallest_ratio) + " to " + shown(largest_ratio));
 }
 
 /// All draws are of visible facets, whatever sample_visible says: it changes the noise alone.

@@ -3,6 +3,7 @@
 #include "../image/finite.hpp"
 #include "../textures/read_texels.hpp"
 #include "build.hpp"
+#include "read_for.hpp"
 #include "text.hpp"
 
 namespace renderer {
@@ -53,10 +54,11 @@ glm::mat3 rotation_of(const Object& o) {
   return glm::mat3(m / scale);
 }
 
-EnvironmentLight make_environment_map(const Object& o) {
+EnvironmentLight make_environment_map(const Object& o, std::uint64_t held) {
   const auto path = o.file("filename");
   const auto scale = static_cast<float>(o.number_in("scale", 1, 0, 1e30));
-  Texels texels = read_texels(path, false, o.location());
+  Texels texels =
+      read_for(o.location(), [&] { return read_texels(path, false, o.location(), held); });
   const auto fail = [&](const std::string& problem) {
     o.fail("filename", "the file " + in_quotes(path.string()) + " " + problem);
   };
@@ -88,12 +90,12 @@ AreaLight make_area_light(const Object& o, const Geometry& geometry, std::uint32
   return light;
 }
 
-Emitter make_light(const Object& o) {
+Emitter make_light(const Object& o, std::uint64_t held) {
   const auto make = [&]() -> Emitter {
     if (o.type() == "point") return make_point(o);
     if (o.type() == "directional") return make_directional(o);
     if (o.type() == "constant") return ConstantLight{emission(o, "radiance")};
-    if (o.type() == "envmap") return make_environment_map(o);
+    if (o.type() == "envmap") return make_environment_map(o, held);
     if (o.type() == "area") o.fail("an \"area\" emitter belongs into the <shape> that emits");
     fail_unknown_plugin(
         o, {"constant", "directional", "envmap", "point", "and \"area\" within a shape"});

@@ -61,7 +61,9 @@ Material MaterialFactory::make_inner(const Object& object) {
 
 Material MaterialFactory::make_masked(const Object& object) {
   Material material = make_inner(object);
-  if (material.is_masked()) object.fail("masks don't nest");
+  if (material.is_masked())
+    object.fail("masks don't nest, and its " + object.only_child("bsdf")->description() +
+                " is masked already; allowed: one mask");
   material.coverage = textures_.number(object, "opacity", 0.5);
   return material;
 }

@@ -5,6 +5,7 @@
 
 #include "../media/mie_phase.hpp"
 #include "build.hpp"
+#include "read_for.hpp"
 #include "text.hpp"
 
 namespace renderer {
@@ -49,8 +50,9 @@ PhaseFunction::Kind make_mie(const Object& o) {
 }
 
 PhaseFunction::Kind make_tabulated(const Object& o) {
+  const auto path = o.file("filename");
   return std::make_shared<const TabulatedPhase>(
-      read_tabulated_phase(o.file("filename"), o.location()));
+      read_for(o.location(), [&] { return read_tabulated_phase(path, o.location()); }));
 }
 
 PhaseFunction::Kind make_kind(const Object& o) {

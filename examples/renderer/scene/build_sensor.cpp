@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "build.hpp"
+#include "text.hpp"
 
 namespace renderer {
 
@@ -87,7 +88,9 @@ Vec2 half_extent(const Object& o, const FilmSettings& film) {
   std::string axis = o.one_of("fov_axis", "x", {"x", "y", "diagonal", "smaller", "larger"});
   if (o.has("fov")) {
     const double fov = o.number("fov");
-    if (!(fov > 0 && fov < 180)) o.fail("fov", "a field of view is between 0 and 180 degrees");
+    if (!(fov > 0 && fov < 180))
+      o.fail("fov", "the parameter \"fov\" is " + shown(fov) +
+                        "; allowed: more than 0 and less than 180 degrees");
     if (o.has("focal_length")) o.fail("focal_length", "give either fov or focal_length, not both");
     half_angle = fov * std::numbers::pi / 360;
   } else {
@@ -106,9 +109,13 @@ Sensor make_perspective(const Object& o, const FilmSettings& film) {
   lens.half_extent = half_extent(o, film);
   lens.principal_point = {static_cast<float>(o.number("principal_point_offset_x", 0)),
                           static_cast<float>(o.number("principal_point_offset_y", 0))};
-  lens.near_clip = static_cast<float>(o.positive("near_clip", 1e-2));
-  lens.far_clip = static_cast<float>(o.positive("far_clip", 1e4));
-  if (lens.far_clip <= lens.near_clip) o.fail("far_clip", "far_clip is beyond near_clip");
+  const double near_clip = o.positive("near_clip", 1e-2), far_clip = o.positive("far_clip", 1e4);
+  lens.near_clip = static_cast<float>(near_clip);
+  lens.far_clip = static_cast<float>(far_clip);
+  if (lens.far_clip <= lens.near_clip)
+    o.fail(o.has("far_clip") ? "far_clip" : "near_clip",
+           "the parameter \"far_clip\" is " + shown(far_clip) + "; allowed: more than near_clip, " +
+               shown(near_clip));
   return {Sensor::Kind::perspective, o.transform("to_world"), lens};
 }
 

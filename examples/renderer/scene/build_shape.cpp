@@ -4,6 +4,7 @@
 #include "../core/affine.hpp"
 #include "build.hpp"
 #include "mesh_reader.hpp"
+#include "read_for.hpp"
 #include "text.hpp"
 
 namespace renderer {
@@ -56,13 +57,26 @@ void apply_transform(TriangleMesh& mesh, const glm::dmat4& to_world, bool keep_f
 
 TriangleMesh read_mesh(const Object& o, std::vector<std::string>& warnings) {
   const auto path = o.file("filename");
-  TriangleMesh mesh = o.type() == "obj"
-                          ? read_obj(path, o.boolean("flip_tex_coords", true), o.location())
-                          : read_ply(path, o.boolean("flip_tex_coords", false), o.location());
+  const bool is_obj = o.type() == "obj", flip = o.boolean("flip_tex_coords", is_obj);
+  TriangleMesh mesh = read_for(o.location(), [&] {
+    return is_obj ? read_obj(path, flip, o.location()) : read_ply(path, flip, o.location());
+  });
   if (mesh.dropped > 0)
     warnings.push_back(path.string() + ": left out " + std::to_string(mesh.dropped) +
                        " triangles without an area");
   return mesh;
+}
+
+/// Squares of lengths and areas are single-precision numbers.
+constexpr double largest_coordinate = 1e18, smallest_radius = 1e-18;
+
+/// In double precision, for the message: 1e39 is no float.
+void check_extent(const Object& o, const glm::dvec3& center, double radius) {
+  const double reach = glm::length(center) + radius;
+  if (!(radius >= smallest_radius && reach <= largest_coordinate))
+    o.fail("its radius is " + shown(radius) + " and it reaches to " + shown(reach) +
+           " from the origin; allowed: a radius of " + shown(smallest_radius) + " or more, up to " +
+           shown(largest_coordinate) + " from the origin");
 }
 
 Sphere make_sphere(const Object& o) {
@@ -78,23 +92,14 @@ Sphere make_sphere(const Object& o) {
         o.fail("to_world",
                "a sphere can be moved, turned and scaled evenly, not sheared or stretched");
     }
+  const glm::dvec3 placed = transform_point(to_world, center);
+  check_extent(o, placed, radius * scale);
   Sphere sphere;
-  sphere.center = Vec3(transform_point(to_world, center));
+  sphere.center = Vec3(placed);
   sphere.radius = static_cast<float>(radius * scale);
   sphere.rotation = glm::mat3(m / scale);
   sphere.flipped = o.boolean("flip_normals", false);
   return sphere;
-}
-
-/// Squares of lengths and areas are single-precision numbers.
-constexpr double largest_coordinate = 1e18, smallest_radius = 1e-18;
-
-void check_extent(const Object& o, const Sphere& sphere) {
-  const double reach = glm::length(glm::dvec3(sphere.center)) + static_cast<double>(sphere.radius);
-  if (static_cast<double>(sphere.radius) < smallest_radius || !(reach <= largest_coordinate))
-    o.fail("its radius is " + shown(static_cast<double>(sphere.radius)) + " and it reaches to " +
-           shown(reach) + " from the origin; allowed: a radius of " + shown(smallest_radius) +
-           " or more, up to " + shown(largest_coordinate) + " from the origin");
 }
 
 void check_extent(const Object& o, const TriangleMesh& mesh, std::vector<std::string>& warnings) {
@@ -119,11 +124,7 @@ void check_extent(const Object& o, const TriangleMesh& mesh, std::vector<std::st
 
 std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
                                  std::vector<std::string>& warnings) {
-  if (o.type() == "sphere") {
-    const Sphere sphere = make_sphere(o);
-    check_extent(o, sphere);
-    return geometry.add(sphere);
-  }
+  if (o.type() == "sphere") return geometry.add(make_sphere(o));
 
   TriangleMesh mesh;
   const bool from_file = o.type() == "obj" || o.type() == "ply";

@@ -3,6 +3,7 @@
 
 #include "../textures/read_texels.hpp"
 #include "build.hpp"
+#include "read_for.hpp"
 #include "text.hpp"
 
 namespace renderer {
@@ -15,7 +16,7 @@ Texture::Placement read_placement(const Object& o) {
   return {glm::mat2(glm::dmat2(m)), Vec2(glm::dvec2(m[3]))};
 }
 
-Bitmap make_bitmap(const Object& o) {
+Bitmap make_bitmap(const Object& o, std::uint64_t held) {
   const auto path = o.file("filename");
   const auto filter = o.one_of("filter_type", "bilinear", {"bilinear", "nearest"}) == "nearest"
                           ? Bitmap::Filter::nearest
@@ -24,15 +25,23 @@ Bitmap make_bitmap(const Object& o) {
   const auto wrap = mode == "mirror"  ? Bitmap::Wrap::mirror
                     : mode == "clamp" ? Bitmap::Wrap::clamp
                                       : Bitmap::Wrap::repeat;
-  return Bitmap(read_texels(path, o.boolean("raw", false), o.location()), filter, wrap);
+  const bool raw = o.boolean("raw", false);
+  return Bitmap(read_for(o.location(), [&] { return read_texels(path, raw, o.location(), held); }),
+                filter, wrap);
 }
 
 Checkerboard make_checkerboard(const Object& o) {
   return {to_rgb(o.color("color0", glm::dvec3(0.4))), to_rgb(o.color("color1", glm::dvec3(0.2)))};
 }
 
-Texture make_texture(const Object& o) {
-  if (o.type() == "bitmap") return {make_bitmap(o), read_placement(o)};
+/// In bytes, of its picture.
+std::uint64_t size_of(const Texture& texture) {
+  const auto* bitmap = std::get_if<Bitmap>(&texture.kind());
+  return bitmap ? bitmap->texels().values.size() * sizeof(Rgb) : 0;
+}
+
+Texture make_texture(const Object& o, std::uint64_t held) {
+  if (o.type() == "bitmap") return {make_bitmap(o, held), read_placement(o)};
   if (o.type() == "checkerboard") return {make_checkerboard(o), read_placement(o)};
   fail_unknown_plugin(o, {"bitmap", "checkerboard"});
 }
@@ -43,7 +52,8 @@ const Texture& TextureFactory::make(const Object::Pointer& object) {
   ++handed_out_;
   const Texture*& made = made_[object.get()];
   if (!made) {
-    made = &textures_.emplace_back(make_texture(*object));
+    made = &textures_.emplace_back(make_texture(*object, held_));
+    held_ += size_of(*made);
     object->reject_unknown();
   }
   return *made;

@@ -2,6 +2,7 @@
 // From a scene file's <texture>, or the plain value in its place, to a texture.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <unordered_map>
 
@@ -25,6 +26,8 @@ class TextureFactory {
 
   /// How many textures were handed out so far: what asks for one needs (u, v).
   std::size_t handed_out() const { return handed_out_; }
+  /// What their pictures take, in bytes.
+  std::uint64_t held() const { return held_; }
 
  private:
   const Texture* nested(const Object& object, std::string_view name, double lowest, double highest);
@@ -32,6 +35,7 @@ class TextureFactory {
   std::deque<Texture>& textures_;
   std::unordered_map<const Object*, const Texture*> made_;
   std::size_t handed_out_ = 0;
+  std::uint64_t held_ = 0;
 };
 
 }  // namespace renderer

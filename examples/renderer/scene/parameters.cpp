@@ -8,6 +8,9 @@
 namespace renderer {
 namespace {
 
+constexpr std::size_t longest_value = std::size_t{1} << 20;
+constexpr std::size_t most_put_in = std::size_t{1} << 26;
+
 constexpr std::string_view name_rule = "; allowed: letters, digits and underscores";
 
 bool is_name_character(char c) {
@@ -66,10 +69,27 @@ std::string Parameters::substitute(std::string_view text, const Location& where)
                                   name + "=value, or a <default> before its use)");
     }
     known_.insert(name);
-    out += at->second;
+    put_in(name, at->second, out, where);
     i = end - 1;
   }
   return out;
+}
+
+void Parameters::put_in(const std::string& name, const std::string& value, std::string& out,
+                        const Location& where) {
+  const std::size_t length = out.size() + value.size();
+  if (length > longest_value)
+    throw InputError(
+        where, "with the value of " + in_quotes("$" + name) + ", " + in_quotes(value) +
+                   ", an attribute has " + std::to_string(length) +
+                   " bytes; allowed where parameters are put in: " + std::to_string(longest_value));
+  put_in_ += value.size();
+  if (put_in_ > most_put_in)
+    throw InputError(where, "with the value of " + in_quotes("$" + name) + ", " + in_quotes(value) +
+                                ", " + std::to_string(put_in_) +
+                                " bytes are put in for parameters; allowed: " +
+                                std::to_string(most_put_in) + " in all");
+  out += value;
 }
 
 void Parameters::reject_unused(const std::string& file) const {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "requirements.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "../core/warp.hpp"
 #include "../film/film.hpp"
 #include "../io/input_error.hpp"
+#include "../io/memory.hpp"
 
 namespace renderer {
 
@@ -109,21 +108,14 @@ void check_declared_media(Scene& scene, const std::string& file) {
   }
 }
 
-/// A system may promise memory that it doesn't have, and end the program that uses it.
 void check_film_fits(const FilmSettings& film, const std::string& file) {
   const double pixels = static_cast<double>(film.crop_width) * film.crop_height;
   const double needed = pixels * (sizeof(PixelSum) + 12 * sizeof(float));
-  const double there =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  if (there <= 0 || needed < 0.8 * there) return;
-  const auto in_gigabytes = [](double bytes) {
-    return std::to_string(static_cast<long long>(bytes / 1e9)) + " GB";
-  };
+  if (fits_into_memory(needed)) return;
   throw InputError(film.where.file.empty() ? Location{file, 0} : film.where,
                    "a film of " + std::to_string(film.crop_width) + " x " +
                        std::to_string(film.crop_height) + " pixels takes " + in_gigabytes(needed) +
-                       " of memory; allowed: 4/5 of the " + in_gigabytes(there) +
-                       " that this machine has");
+                       " of memory" + allowed_memory());
 }
 
 /// Where light paths alone bring light, they have to start in the media that emit.

@@ -65,6 +65,7 @@ std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest
 
 XmlFile::XmlFile(const std::filesystem::path& path, const Location& asker) : name_(path.string()) {
   const std::string text = read_bytes(path, largest_scene, asker);
+  size_ = text.size();
   find_lines(text);
   if (trimmed(text).empty()) fail(0, "the file is empty; allowed: a <scene>");
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos) {

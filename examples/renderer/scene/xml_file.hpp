@@ -3,6 +3,7 @@
 // what parsers are attacked with: DOCTYPE and entities, a missing or second root, text outside it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <pugixml.hpp>
 #include <string>
@@ -24,6 +25,7 @@ class XmlFile {
 
   pugi::xml_node root() const { return root_; }
   const std::string& name() const { return name_; }
+  std::uintmax_t size() const { return size_; }
   Location at(const pugi::xml_node& node) const;
 
  private:
@@ -34,6 +36,7 @@ class XmlFile {
   void check_document();
 
   std::string name_;
+  std::uintmax_t size_ = 0;
   std::vector<std::ptrdiff_t> line_ends_;
   pugi::xml_document document_;
   pugi::xml_node root_;

@@ -19,6 +19,9 @@ constexpr int deepest_nesting = 64;
 constexpr std::size_t deepest_include = 15;  // Mitsuba's limit
 /// A file that includes another ten times, which includes ... makes as many as a bomb wants.
 constexpr std::size_t most_includes = 10000;
+/// Of all files, each as often as it is included: few files, included often, make much as well.
+constexpr std::size_t most_elements = 2'000'000;
+constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28;
 
 const std::vector<std::string>& object_tags() {
   static const std::vector<std::string> tags = {"bsdf",   "emitter", "film",    "integrator",
@@ -74,6 +77,11 @@ class Reader {
 
   Element element_of(const OpenFile& file, const pugi::xml_node& node) {
     Element element{node.name(), file.xml.at(node), {}};
+    if (++elements_ > most_elements) {
+      element.fail("the scene has more than " + std::to_string(most_elements) +
+                   " elements, those of included files among them; allowed: " +
+                   std::to_string(most_elements));
+    }
     for (const pugi::xml_attribute attribute : node.attributes()) {
       std::string value = parameters_.substitute(attribute.value(), element.where);
       if (!element.attributes.emplace(attribute.name(), std::move(value)).second) {
@@ -250,6 +258,11 @@ class Reader {
     }
     const auto path = outer.search->find_to_read(element.text("filename"), element.where);
     const OpenFile file = open(path, *outer.search, element.where);
+    if ((bytes_ += file.xml.size()) > most_bytes) {
+      element.fail("with the file " + in_quotes(file.xml.name()) + " the included files have " +
+                   std::to_string(bytes_) + " bytes; allowed: " + std::to_string(most_bytes) +
+                   " in all");
+    }
     including_.push_back(outer.canonical);
     if (std::find(including_.begin(), including_.end(), file.canonical) != including_.end()) {
       element.fail("the file " + in_quotes(file.xml.name()) + " includes itself");
@@ -280,7 +293,8 @@ class Reader {
   References references_;
   std::shared_ptr<Premises> premises_;
   std::vector<std::filesystem::path> including_;
-  std::size_t includes_ = 0;
+  std::size_t includes_ = 0, elements_ = 0;
+  std::uintmax_t bytes_ = 0;  // of included files
 };
 
 }  // namespace

@@ -19,12 +19,14 @@ class RadianceReader {
  public:
   explicit RadianceReader(std::string_view bytes) : rest_(bytes) {}
 
-  Texels read() {
+  Texels read(const std::function<void(int, int)>& check) {
     read_header();
     Texels texels = read_size();
     const auto width = static_cast<std::size_t>(texels.width);
     // Every pixel takes 4 bytes, or a run of 127 of them takes 8 at least.
     if (width * static_cast<std::size_t>(texels.height) > 64 * rest_.size()) fail_at_end();
+    check(texels.width, texels.height);
+    texels.values.reserve(width * static_cast<std::size_t>(texels.height));
     std::vector<Pixel> line(width);
     for (int y = 0; y < texels.height; ++y) {
       read_line(line);
@@ -121,6 +123,8 @@ bool is_radiance(std::string_view bytes) {
   return bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n");
 }
 
-Texels read_radiance(std::string_view bytes) { return RadianceReader(bytes).read(); }
+Texels read_radiance(std::string_view bytes, const std::function<void(int, int)>& check) {
+  return RadianceReader(bytes).read(check);
+}
 
 }  // namespace renderer

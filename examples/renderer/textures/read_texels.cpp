@@ -9,6 +9,7 @@
 
 #include "../image/finite.hpp"
 #include "../io/exr.hpp"
+#include "../io/memory.hpp"
 #include "../scene/text.hpp"
 #include "../scene/xml_file.hpp"
 #include "read_radiance.hpp"
@@ -41,6 +42,7 @@ namespace renderer {
 
 namespace {
 
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
 constexpr std::uintmax_t largest_file = std::numeric_limits<int>::max();  // stb counts in int
 
 float decode_srgb(float v) {
@@ -80,8 +82,9 @@ bool has_sound_huffman_tables(std::string_view jpeg) {
 /// Of one file that is being read.
 class TexelReader {
  public:
-  TexelReader(const std::filesystem::path& path, bool raw, const Location& asker)
-      : path_(path), raw_(raw), asker_(asker) {}
+  TexelReader(const std::filesystem::path& path, bool raw, const Location& asker,
+              std::uint64_t held)
+      : path_(path), raw_(raw), asker_(asker), held_(held) {}
 
   Texels read() {
     const std::string bytes = read_bytes(path_, largest_file, asker_);
@@ -104,8 +107,25 @@ class TexelReader {
     throw InputError(asker_, "the file " + in_quotes(path_.string()) + ": " + problem);
   }
 
+  /// Of a picture of which there are so many bytes a pixel besides its texels while it is read.
+  void check_memory(int width, int height, std::size_t bytes) const {
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    if (pixels > most_pixels)
+      fail("it is " + size + "; allowed: " + std::to_string(most_pixels) +
+           " in all, as of 16384 x 16384");
+    const double needed = static_cast<double>(pixels) * static_cast<double>(sizeof(Rgb) + bytes);
+    const auto held = static_cast<double>(held_);
+    if (!fits_into_memory(needed + held))
+      fail("reading its " + size + " takes " + in_gigabytes(needed) + " of memory, besides the " +
+           in_gigabytes(held) + " of the textures before it" + allowed_memory());
+  }
+
   Texels from_exr() const {
-    const Image image = read_exr(path_.string());
+    const Image image =
+        read_exr(path_.string(), [this](int width, int height, std::size_t channels) {
+          check_memory(width, height, channels * sizeof(float));
+        });
     const bool colored = image.has("R") && image.has("G") && image.has("B");
     if (!colored && !image.has("Y"))
       fail("has the channels " + joined(image.channels) + "; needed: R, G and B, or Y");
@@ -119,7 +139,10 @@ class TexelReader {
 
   Texels from_radiance(const std::string& bytes) const {
     try {
-      return read_radiance(bytes);
+      return read_radiance(bytes,
+                           [this](int width, int height) { check_memory(width, height, 0); });
+    } catch (const InputError&) {
+      throw;
     } catch (const std::runtime_error& error) {
       fail(std::string("cannot be read as Radiance HDR: ") + error.what());
     }
@@ -139,6 +162,10 @@ class TexelReader {
            " bytes");
   }
 
+  /// Three channels of 16 bits: of what it has besides before it has those, there are no texels
+  /// yet.
+  static constexpr std::size_t most_bytes_in_stb = 3 * sizeof(stbi_us);
+
   Texels from_stb(const std::string& bytes) const {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
@@ -148,11 +175,13 @@ class TexelReader {
     if (bytes.starts_with("\xff\xff")) fail("damaged: a JPEG begins with the bytes ff d8");
     if (bytes.starts_with("\xff\xd8") && !has_sound_huffman_tables(bytes))
       fail("damaged: a JPEG's Huffman table has more than 256 codes");
-    if (!stbi_info_from_memory(data, size, &texels.width, &texels.height, &channels)) fail_in_stb();
+    if (!stbi_info_from_memory(data, size, &texels.width, &texels.height, &channels))
+      fail_in_header(bytes);
     check_size(texels, bytes.size());
+    check_memory(texels.width, texels.height, most_bytes_in_stb);
     const auto load = [&]<class Value>(Value* loaded) {
       const std::unique_ptr<Value, void (*)(void*)> values(loaded, stbi_image_free);
-      if (!values) fail_in_stb();
+      if (!values) fail_in_stb(bytes);
       decode(values.get(), texels);
     };
     int* const w = &texels.width;
@@ -164,9 +193,28 @@ class TexelReader {
     return texels;
   }
 
-  [[noreturn]] void fail_in_stb() const {
-    fail(std::string("cannot be read as a picture (") + stbi_failure_reason() +
-         "); allowed: OpenEXR, HDR, PNG, JPEG, BMP, TGA");
+  /// By what it begins with, which TGA has nothing for.
+  static std::string format_of(const std::string& bytes) {
+    if (bytes.starts_with("\x89PNG")) return "PNG";
+    if (bytes.starts_with("\xff\xd8")) return "JPEG";
+    return bytes.starts_with("BM") ? "BMP" : "";
+  }
+
+  /// stb tries one format after the other, and keeps the last one's reason.
+  [[noreturn]] void fail_in_header(const std::string& bytes) const {
+    const std::string format = format_of(bytes);
+    if (format.empty())
+      fail("cannot be read as a picture; allowed: OpenEXR, HDR, PNG, JPEG, BMP, TGA");
+    fail("begins as a " + format + ", but is truncated or damaged, or too large; allowed: " +
+         std::to_string(STBI_MAX_DIMENSIONS) + " pixels a side, " + std::to_string(most_pixels) +
+         " in all");
+  }
+
+  /// Of a file that ends too early stb often gives no reason.
+  [[noreturn]] void fail_in_stb(const std::string& bytes) const {
+    const std::string format = format_of(bytes), reason = stbi_failure_reason();
+    fail("is truncated or damaged" + (reason.empty() ? "" : " (" + reason + ")") +
+         "; allowed: a whole " + (format.empty() ? "TGA" : format) + " file");
   }
 
   template <class Value>
@@ -187,12 +235,14 @@ class TexelReader {
   const std::filesystem::path& path_;
   bool raw_;
   const Location& asker_;
+  std::uint64_t held_;
 };
 
 }  // namespace
 
-Texels read_texels(const std::filesystem::path& path, bool raw, const Location& asker) {
-  return TexelReader(path, raw, asker).read();
+Texels read_texels(const std::filesystem::path& path, bool raw, const Location& asker,
+                   std::uint64_t held) {
+  return TexelReader(path, raw, asker, held).read();
 }
 
 }  // namespace renderer
