@@ -28,7 +28,7 @@ class HugePages : public std::pmr::memory_resource {
     return block;
   }
   void do_deallocate(void* block, std::size_t bytes, std::size_t alignment) override {
-    ::operator delete(block, bytes, std::align_val_t(alignment_of(bytes, alignment)));
+    ::operator delete(block, std::align_val_t(alignment_of(bytes, alignment)));
   }
   bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
 };
