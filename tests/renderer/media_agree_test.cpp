@@ -152,7 +152,7 @@ TEST_CASE("media agree: several media that emit, one in two bodies, and a body w
   const auto fire = [](const std::string& radiance) {
     return coefficients("0.5, 1, 2", "0.3, 0.2, 0.1") + rgb("emission", radiance) + rayleigh;
   };
-  const std::string stage = volpath(3) + camera() + floor_and_wall;
+  const std::string room = volpath(3) + camera() + floor_and_wall;
   const auto flame = [](const glm::dvec3& center, double radius, const std::string& content) {
     return ball(center, radius, null + content);
   };
@@ -166,7 +166,7 @@ TEST_CASE("media agree: several media that emit, one in two bodies, and a body w
   const std::string around = body(fire("0.9, 0.4, 0.1"), 0.9) + ball({0.3, -0.3, 1.1}, 0.5, grey);
   for (const std::string& bodies : {pair, one_in_two, around}) {
     CAPTURE(bodies);
-    check_agree(build(stage + bodies), {ptracer, media_ppm}, 64);
+    check_agree(build(room + bodies), {ptracer, media_ppm}, 64);
   }
 }
 
