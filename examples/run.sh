@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Installs what is missing, builds the renderer and renders one polarised picture. Arguments are passed on to
-# malus-render, after the defaults: `examples/run.sh --spp 256 --mode unpolarized`.
+# malus-render: `examples/run.sh --spp 256 --mode unpolarized`.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -20,7 +20,11 @@ echo
 "$build/examples/optical_bench"
 
 mkdir -p "$out"
-"$build/examples/malus-render" "$root/examples/scenes/box.xml" -o "$out/box.exr" --spp 64 "$@"
+samples=(--spp 64)
+for argument in "$@"; do
+  [[ $argument == --spp* || $argument == --time* ]] && samples=()
+done
+"$build/examples/malus-render" "$root/examples/scenes/box.xml" -o "$out/box.exr" "${samples[@]}" "$@"
 "$build/examples/malus-image" "$out/box.exr" --show intensity -o "$out/box.png"
 "$build/examples/malus-image" "$out/box.exr" --show overlay -o "$out/box_polarization.png"
 
