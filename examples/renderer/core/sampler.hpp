@@ -54,6 +54,13 @@ class Sampler {
     if (is_sobol_) return next_single();
     return static_cast<float>(next() >> 8) * 0x1p-24f;
   }
+  /// The same, independent of everything with either kind: for a choice that gains nothing by
+  /// being spread evenly, and would take other draws out of step if it were.
+  float next_choice() {
+    if (!is_sobol_) return next_1d();
+    const std::uint64_t number = increment_ << 32 | ++choices_;
+    return static_cast<float>(mix_bits(state_ ^ number) >> 40) * 0x1p-24f;
+  }
   Vec2 next_2d() {
     if (is_sobol_) return next_pair();
     const float x = next_1d();
@@ -92,6 +99,7 @@ class Sampler {
   std::uint64_t state_, increment_;
   bool is_sobol_ = false, has_spare_ = false;
   std::uint32_t drawn_ = 0;  // pairs
+  std::uint32_t choices_ = 0;
   float spare_;
   SobolPoints points_;
 };

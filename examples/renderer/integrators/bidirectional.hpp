@@ -13,6 +13,7 @@
 
 #include <span>
 
+#include "connection_roulette.hpp"
 #include "lens.hpp"
 #include "photon_map.hpp"
 #include "reading.hpp"
@@ -84,6 +85,7 @@ class BidirectionalIntegrator {
     iteration_ = &iteration;
     light_path_ = light_path;
     path_.begin(scene_.draws_by_polarization);
+    roulette_.begin();
     walk(ray, sampler);
     counters_.count_path(path_);
     return read<R>(*scene_.sensor, ray.direction, path_.result(), counters_);
@@ -100,6 +102,7 @@ class BidirectionalIntegrator {
     int edges;   ///< from the lens to here; with sheets, where those count
     int number;  ///< on the path, the lens being 1
     SubpathMis mis;
+    bool is_specular;  ///< the path to here has passed delta distributions alone
     Vec3 exitant{};
     Scatterer<M> scatterer{};
     float merge = 0;  ///< η of merges here
@@ -123,16 +126,16 @@ class BidirectionalIntegrator {
     way_.begin(Way<M>::of_sensor(scene_));
     for (int edges = 1, number = 2;; ++edges) {
       Hit own_hit;
-      Vertex v{path_.place(own_hit), edges, number, mis};
+      Vertex v{path_.place(own_hit), edges, number, mis, is_specular};
       ++counters_.rays;
       side.finds_emission = finds_light(is_specular) && !settings.strategy;
       const End end = way_.advance(ray, v.hit, side, sampler);
-      if (end == End::nothing) return deposit_environment(v, ray.direction, mis, last, is_specular);
+      if (end == End::nothing) return deposit_environment(v, ray.direction, mis, last);
       v.exitant = -ray.direction;
       v.scatterer = way_.scatterer(end);
       arrive(v, last);
       if (end == End::surface) {
-        deposit_emission(v, last, is_specular);  // from the front, whichever side has a BSDF
+        deposit_emission(v, last);  // from the front, whichever side has a BSDF
         way_.meet(v.hit);
         const bool passes = scene_.lets_pass(v.hit, sampler);
         const Bsdf& bsdf = scene_.shapes[v.hit.shape].material.facing(v.hit, v.exitant);
@@ -196,7 +199,7 @@ class BidirectionalIntegrator {
   }
 
   /// The path has found a light by itself (s = 0).
-  void deposit_emission(const Vertex& v, const Last& last, bool is_specular) {
+  void deposit_emission(const Vertex& v, const Last& last) {
     if (scene_.shapes[v.hit.shape].light < 0) return;
     if (v.edges == 1 && scene_.integrator.hide_emitters) return;
     const Rgb radiance = scene_.emitted(v.hit, v.exitant);
@@ -208,12 +211,12 @@ class BidirectionalIntegrator {
       const float direct = scene_.light_pdf(last.position, v.hit) * cosine / glm::dot(way, way);
       camera_side = direct * v.mis.vcm + scene_.emission_pdf(v.hit, v.exitant) * v.mis.vc;
     }
-    deposit_found(radiance, camera_side, v.number, is_specular);
+    deposit_found(radiance, camera_side, v);
   }
 
   /// `v` tells of the path's length alone.
-  void deposit_environment(const Vertex& v, const Vec3& direction, SubpathMis mis, const Last& last,
-                           bool is_specular) {
+  void deposit_environment(const Vertex& v, const Vec3& direction, SubpathMis mis,
+                           const Last& last) {
     if (scene_.environment < 0 || (v.edges == 1 && scene_.integrator.hide_emitters)) return;
     float camera_side = 0;
     if (v.number > 2 && techniques_.connect) {
@@ -221,15 +224,15 @@ class BidirectionalIntegrator {
       camera_side = scene_.environment_pdf(direction) * mis.vcm +
                     scene_.environment_emission_pdf(direction) * mis.vc;
     }
-    deposit_found(scene_.environment_radiance(direction), camera_side, v.number, is_specular);
+    deposit_found(scene_.environment_radiance(direction), camera_side, v);
   }
 
   /// Where photons alone are gathered, they have brought all light but what is seen in mirrors.
   bool finds_light(bool is_specular) const { return techniques_.connect || is_specular; }
 
-  void deposit_found(const Rgb& radiance, float camera_side, int number, bool is_specular) {
-    if (!finds_light(is_specular)) return;
-    const float w = weight({0, number}, mis_weight(0, camera_side));
+  void deposit_found(const Rgb& radiance, float camera_side, const Vertex& v) {
+    if (!finds_light(v.is_specular)) return;
+    const float w = weight({0, v.number}, mis_weight(0, camera_side));
     if (w > 0) path_.deposit(R::unpolarized(radiance * w));
   }
 
@@ -241,23 +244,42 @@ class BidirectionalIntegrator {
     if (!v.scatterer.sides_agree(v.hit, light.direction)) return;
     const auto value = v.scatterer.template value<R>(v.hit, light.direction, v.exitant);
     if (malus::max_channel(value.m00) <= 0) return;
+
+    const float camera_density = light.emission_ratio *
+                                 v.scatterer.geometric_cosine(v.hit, light.direction) *
+                                 v.mis.connected(value.pdf_exitant, v.merge);
+    const auto weigh = [&](const auto& t) {
+      const float light_side =
+          light.is_delta ? 0.0f : value.pdf_incident * arrival_chance(t) / light.pdf;
+      const float camera_side = camera_density * arrival_density(v.scatterer, v.hit.position, t);
+      return weight({1, v.number}, mis_weight(light_side, camera_side));
+    };
+    const float geometry = v.scatterer.cosine(v.hit, light.direction) / light.pdf;
+    float w = weigh(Way<M>::clear()), chance = 1;
+    Rgb expected;
+    if (!v.is_specular) {
+      expected = path_.throughput() * (value.m00 * light.radiance) * (geometry * w);
+      chance = play(expected, sampler);
+      if (!(chance > 0)) return;
+    }
     if (!visibility_.open(v.hit.leave_for(light.position, light.direction), v.hit.position,
                           light.position, sheets_left(v.edges + 1), way_.towards(light.direction),
                           sampler))
       return;
 
-    const auto& t = visibility_.transmittance();
-    const float light_side =
-        light.is_delta ? 0.0f : value.pdf_incident * arrival_chance(t) / light.pdf;
-    const float camera_side = light.emission_ratio *
-                              v.scatterer.geometric_cosine(v.hit, light.direction) *
-                              arrival_density(v.scatterer, v.hit.position, t) *
-                              v.mis.connected(value.pdf_exitant, v.merge);
-    const float w = weight({1, v.number}, mis_weight(light_side, camera_side)) / light.pdf;
-    const float cosine = v.scatterer.cosine(v.hit, light.direction);
-    visibility_.emitted(light.radiance * (cosine * w), [&](const auto& arriving) {
+    if (!v.is_specular) roulette_.find(expected * (1 / chance));
+    if constexpr (M::present) w = weigh(visibility_.transmittance());
+    visibility_.emitted(light.radiance * (geometry * w / chance), [&](const auto& arriving) {
       path_.deposit(v.hit, light.direction, v.exitant, v.scatterer, value, arriving);
     });
+  }
+
+  /// The chance by which a connection is made that would bring so much; 0 if it is not.
+  MALUS_INLINE float play(const Rgb& expected, Sampler& sampler) {
+    const float chance = roulette_.chance(expected, scene_.integrator.connection_threshold);
+    if (chance >= 1 || sampler.next_choice() < chance) return chance;
+    ++counters_.left_to_chance;
+    return 0;
   }
 
   /// Connects two vertices, z of the camera's path and y of the light's.
@@ -274,24 +296,35 @@ class BidirectionalIntegrator {
     if (malus::max_channel(at_z.m00) <= 0) return;
     const auto at_y = y.scatterer.template value<R>(y.point, y.incident, to_camera);
     if (malus::max_channel(at_y.m00) <= 0) return;
+
+    const MisFactors& f = iteration_->factors;
+    const float per_area_y = y.scatterer.geometric_cosine(y.point, to_camera) / distance2;
+    const float per_area_z = z.scatterer.geometric_cosine(z.hit, to_light) / distance2;
+    const float light_density =
+        at_z.pdf_incident * per_area_y *
+        y.mis.connected(at_y.pdf_incident, f.merge(y.scatterer.is_medium()));
+    const float camera_density =
+        at_y.pdf_exitant * per_area_z * z.mis.connected(at_z.pdf_exitant, z.merge);
+    const auto weigh = [&](const auto& t) {
+      const float light_side = light_density * arrival_density(y.scatterer, y.point.position, t);
+      const float camera_side = camera_density * arrival_density(z.scatterer, z.hit.position, t);
+      return weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
+    };
+    const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
+    float w = weigh(Way<M>::clear());
+    const Rgb expected =
+        path_.throughput() * (at_z.m00 * at_y.m00) * (R::intensity(y.light) * (geometry * w));
+    const float chance = play(expected, sampler);
+    if (!(chance > 0)) return;
     if (!visibility_.open(z.hit.leave_for(y.point, to_light), z.hit.position, y.point.position,
                           sheets, way_.towards(to_light), sampler))
       return;
 
-    const MisFactors& f = iteration_->factors;
-    const auto& t = visibility_.transmittance();
-    const float per_area_y = y.scatterer.geometric_cosine(y.point, to_camera) / distance2;
-    const float per_area_z = z.scatterer.geometric_cosine(z.hit, to_light) / distance2;
-    const float light_side = at_z.pdf_incident * per_area_y *
-                             arrival_density(y.scatterer, y.point.position, t) *
-                             y.mis.connected(at_y.pdf_incident, f.merge(y.scatterer.is_medium()));
-    const float camera_side = at_y.pdf_exitant * per_area_z *
-                              arrival_density(z.scatterer, z.hit.position, t) *
-                              z.mis.connected(at_z.pdf_exitant, z.merge);
-    const float w = weight({y.vertex, z.number}, mis_weight(light_side, camera_side));
-    const float geometry = z.scatterer.cosine(z.hit, to_light) * per_area_y * y.correction();
-    const auto arriving = visibility_.through(
-        scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light), geometry * w);
+    roulette_.find(expected * (1 / chance));
+    if constexpr (M::present) w = weigh(visibility_.transmittance());
+    const auto arriving =
+        visibility_.through(scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light),
+                            geometry * w / chance);
     path_.deposit(z.hit, to_light, z.exitant, z.scatterer, at_z, arriving);
   }
 
@@ -356,6 +389,7 @@ class BidirectionalIntegrator {
   Lens<R, M> lens_;
   LightSubpath<R, M> subpath_;
   CameraPath<R, M> path_;
+  ConnectionRoulette roulette_;
   const Iteration<R>* iteration_ = nullptr;
   std::span<const LightVertex<R, M>> light_path_;
 };

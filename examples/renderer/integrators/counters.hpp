@@ -26,6 +26,7 @@ struct Counters {
   std::uint64_t unphysical = 0;  ///< that were no light, by rounding, and made it
   std::array<std::uint64_t, malus::mueller_forms> forms{};  ///< of scatterings along camera paths
   std::uint64_t connections = 0, shadowed = 0;  ///< asked for light's way; found that it is barred
+  std::uint64_t left_to_chance = 0;             ///< connections that chance did not make
   // Of polarised light alone:
   std::uint64_t dark_paths = 0;  ///< from the camera, that no light was deposited on
   std::uint64_t scatterings = 0, evaluated = 0;  ///< on camera paths; before the last deposit
@@ -86,6 +87,7 @@ struct Counters {
     for (std::size_t i = 0; i < forms.size(); ++i) forms[i] += c.forms[i];
     connections += c.connections;
     shadowed += c.shadowed;
+    left_to_chance += c.left_to_chance;
     dark_paths += c.dark_paths;
     scatterings += c.scatterings;
     evaluated += c.evaluated;

@@ -36,6 +36,7 @@ class Way<NoMedia> {
   static void scatter(const Vec3&) {}
   static Scatterer<NoMedia> scatterer(End) { return {}; }
   static Transmittance transmittance() { return {}; }
+  static Transmittance clear() { return {}; }
 
  private:
   const Scene& scene_;
@@ -106,6 +107,8 @@ class Way<WithMedia> {
   }
   /// Of unpolarised light since the last vertex, as MIS weights know it.
   const Rgb& transmittance() const { return transmittance_; }
+  /// As though there were no medium: the most that is left.
+  static Transmittance clear() { return Rgb(1.0f); }
 
  private:
   const Scene& scene_;

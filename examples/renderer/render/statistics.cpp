@@ -65,8 +65,10 @@ Json statistics(const Scene& scene, const RenderOptions& options, const Renderin
     json["camera_paths"] = {{"without_light", c.dark_paths},
                             {"scatterings", c.scatterings},
                             {"not_evaluated", c.scatterings - c.evaluated}};
-  json["connections"] = {
-      {"tried", c.connections}, {"shadowed", c.shadowed}, {"open", c.connections - c.shadowed}};
+  json["connections"] = {{"tried", c.connections},
+                         {"shadowed", c.shadowed},
+                         {"open", c.connections - c.shadowed},
+                         {"left_to_chance", c.left_to_chance}};
   // Path and light tracing store none.
   const LightVertexMemory& memory = rendering.light_vertices;
   json["light_vertices"] = c.light_vertices;

@@ -32,6 +32,8 @@ struct IntegratorSettings {
   float initial_media_radius = 0.01f;  ///< the same of merging in media
   float radius_alpha =
       0.75f;  ///< its square (cube) shrinks with the iterations' number to this − 1
+  /// Connections that bring less than this part of a path's indirect light are left to chance.
+  float connection_threshold = 0.125f;
   std::optional<Strategy> strategy;  ///< of bdpt: this one alone, unweighted
 };
 
