@@ -461,6 +461,7 @@ TEST_CASE("needs: --stats counts what was skipped, and what was not") {
   CHECK(followed["merged_light"]["intensity"] > 0);
   CHECK(followed["merged_light"]["stokes_vector"] == 0);
   CHECK(followed["connections"]["shadowed"] > 0);
+  CHECK(followed["connections"]["left_to_chance"] > 0);
   CHECK(followed["mueller_forms"]["full"] > 0);
 
   const auto some = run(hidden + square({0, 1, 1}, {0, -5, 1}, 0.4, coat, {0, 0, 1}) +

@@ -102,6 +102,30 @@ TEST_CASE("sampler: two numbers drawn one after the other are a pair, whatever i
   }
 }
 
+TEST_CASE("sampler: choices take nothing out of step, and are like no other number") {
+  // Four tests of 256 cells; a chi-square of so many exceeds 6 deviations less than once in 10^6.
+  std::vector<int> in_turn(256), samples(256), pixels(256), beside(256);
+  for (std::uint64_t s = 0; s < 1 << 15; ++s) {
+    Sampler sampler = Sampler::sobol(7, s, s / 3), untouched = sampler;
+    const float first = sampler.next_choice(), second = sampler.next_choice();
+    const float of_next = Sampler::sobol(7, s, s / 3 + 1).next_choice();
+    const float of_neighbour = Sampler::sobol(7, s + 1, s / 3).next_choice();
+    const Vec2 u = sampler.next_2d();
+    CHECK(u == untouched.next_2d());
+    ++in_turn[cell(first, 16) * 16 + cell(second, 16)];
+    ++samples[cell(first, 16) * 16 + cell(of_next, 16)];
+    ++pixels[cell(first, 16) * 16 + cell(of_neighbour, 16)];
+    ++beside[cell(first, 16) * 16 + cell(u.x, 16)];
+  }
+  CHECK(excess(in_turn) < 6);
+  CHECK(excess(samples) < 6);
+  CHECK(excess(pixels) < 6);
+  CHECK(excess(beside) < 6);
+
+  Sampler independent(1, 2, 3), same = independent;
+  CHECK(independent.next_choice() == same.next_1d());
+}
+
 TEST_CASE("sampler: every point is uniform over the square, and over pairs of coordinates") {
   // 15 tests of 256 cells; a chi-square of so many exceeds 6 deviations less than once in 10^6.
   for (const std::uint64_t index : {0u, 1u, 6u, 12345u, 0xffffffffu}) {

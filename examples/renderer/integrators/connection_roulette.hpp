@@ -24,11 +24,11 @@ class ConnectionRoulette {
  public:
   void begin() { found_ = Rgb(0.0f); }
 
-  /// The chance with which a connection is made that would bring `expected`; at a threshold of 0
-  /// all are. The same channel must be dim in both: 1 where any of them is not.
+  /// The chance with which a connection is made that would bring `expected`: 1 unless that is
+  /// little in every channel, as with a threshold of 0.
   MALUS_INLINE float chance(const Rgb& expected, float threshold) const {
     const Rgb enough = found_ * threshold;
-    if (!(malus::max_channel(expected - enough) < 0)) return 1;  // nor if one is not a number
+    if (malus::max_channel(expected - enough) >= 0) return 1;
     return malus::max_channel(expected / enough);
   }
   /// Something has been brought, and will count as so much.

@@ -23,16 +23,6 @@ void read_merging(const Object& o, IntegratorSettings& settings) {
            "radius_alpha is above 0 and at most 1, with which the radius stays (default 0.75)");
 }
 
-float read_connection_threshold(const Object& o) {
-  const IntegratorSettings defaults;
-  const double threshold = o.number("connection_threshold", defaults.connection_threshold);
-  if (!(threshold >= 0 && threshold <= 1))
-    o.fail("connection_threshold",
-           "connection_threshold is from 0, with which every connection is "
-           "made, to 1 (default 0.125)");
-  return static_cast<float>(threshold);
-}
-
 }  // namespace
 
 void set_integrator(IntegratorSettings& settings, const std::string& name) {
@@ -64,7 +54,8 @@ void build_integrator(const Object& o, Scene& scene) {
   if (techniques && techniques->lens_alone) o.integer_in("samples_per_pass", -1, -1, 1LL << 40);
   // Another integrator may be asked for in the end: these may be given with any.
   read_merging(o, settings);
-  settings.connection_threshold = read_connection_threshold(o);
+  settings.connection_threshold = static_cast<float>(
+      o.number_in("connection_threshold", IntegratorSettings().connection_threshold, 0, 1));
   o.reject_unknown();
 }
 
