@@ -108,6 +108,29 @@ TEST_CASE("strategies: each alone gives all light of its length, and their mean 
   }
 }
 
+TEST_CASE("strategies: a polarizer between what polarises and what reads intensities alone") {
+  // From the lamp to a black mirror, through the polarizer to the floor, and to the camera.
+  const std::string mirror =
+      bsdf("pplastic", rgb("diffuse_reflectance", "0, 0, 0") + number("alpha", 0.3));
+  Scene scene = build(
+      "<integrator type=\"volpath\"/>"
+      "<sensor type=\"perspective\"><float name=\"fov\" value=\"15\"/><transform "
+      "name=\"to_world\">" +
+      look({0, -5, 2.5}, {0, 0, 0}, {0, 0, 1}) +
+      "</transform><film type=\"hdrfilm\"><integer name=\"width\" value=\"32\"/><integer "
+      "name=\"height\" value=\"32\"/><rfilter type=\"box\"/></film></sensor>\n" +
+      square({0, 0, 0}, {0, 0, 1}, 1, bsdf("diffuse"), {0, 1, 0}) +
+      square({0, 2.3, 1.9}, {0, 0, 1.9}, 1.5, mirror, {0, 0, 1}) +
+      square({0, 1.2, 0.6}, {0, 0, 0.6}, 0.9, bsdf("polarizer", number("theta", 0)), {0, 0, 1}) +
+      square({0, 0, 3.8}, {0, 2.3, 1.9}, 0.3,
+             "<emitter type=\"area\">" + rgb("radiance", "30, 40, 50") + "</emitter>", {0, 0, 1}));
+  const Picture expected = light_of(scene, 3);
+  CHECK(agreement::Estimate(expected.cell(0, 0, 32, 0)).mean > 1e-4);
+  scene.integrator.max_depth = 3;
+  scene.integrator.strategy = Strategy{2, 2};
+  CHECK_AGREE(picture(scene, "bdpt", samples_of({2, 2}), 5), expected);
+}
+
 TEST_CASE("strategies: one alone gives nothing of paths of another length") {
   Scene scene = stage();
   scene.integrator.name = "bdpt";

@@ -322,9 +322,10 @@ class BidirectionalIntegrator {
 
     roulette_.find(expected * (1 / chance));
     if constexpr (M::present) w = weigh(visibility_.transmittance());
-    const auto arriving =
-        visibility_.through(scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light),
-                            geometry * w / chance);
+    const bool reads_polarization = z.scatterer.polarizes() || visibility_.may_polarize();
+    const auto leaving =
+        scatter<R>(y.scatterer, y.point, y.incident, to_camera, at_y, y.light, reads_polarization);
+    const auto arriving = visibility_.through(leaving, geometry * w / chance);
     path_.deposit(z.hit, to_light, z.exitant, z.scatterer, at_z, arriving);
   }
 

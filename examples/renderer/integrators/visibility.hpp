@@ -69,6 +69,11 @@ class Visibility {
     use(through(R::unpolarized(radiance)));
   }
 
+  /// Whether something on the way makes intensity of polarisation, or the other way round.
+  bool may_polarize() const {
+    if constexpr (M::present) return has_acted_;
+    return passed() > 0;
+  }
   /// How many sheets and masks open() has let light through.
   int passed() const { return scene_.has_passages() ? passed_ : 0; }
   /// Of the media on the way, for unpolarised light, as MIS weights know it.
