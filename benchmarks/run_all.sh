@@ -6,7 +6,7 @@
 #
 #   benchmarks/run_all.sh OUT [MINUTES]
 #
-# MINUTES (35) are shared by all of them; algebra and accuracy have a length of their own, some minutes. The machine should have
+# MINUTES (35) are shared by all of them; algebra, accuracy and connections have a length of their own, some minutes. The machine should have
 # nothing else to do. Programs are taken from BUILD (build/benchmarks), the profiled one from PROFILE (build/profile), which
 # are configured and compiled first unless COMPILE=0. A part that fails or is not installed is said in one line and in
 # OUT/summary.md, and the others go on; the exit status is then 1, but 0 if parts were skipped alone. PARTS names what to run:
@@ -26,7 +26,7 @@ fi
 build=${BUILD:-build/benchmarks}
 profile=${PROFILE:-build/profile}
 python=${MITSUBA:-python3}
-parts=${PARTS:-variants convergence accuracy scaling limits profile peers thick_media algebra}
+parts=${PARTS:-variants convergence accuracy scaling limits profile peers thick_media connections algebra}
 mkdir -p "$out" || exit 2
 out=$(cd -- "$out" && pwd)
 summary=$out/summary.md
@@ -134,6 +134,10 @@ part_peers() {
   # Four scenes by two forms of some seven renderers, and half as long again to start them.
   run peers_mitsuba "$python" benchmarks/peers/compare_mitsuba.py --malus "$build/examples/malus-render" --scene diffuse --scene glossy \
     --scene vcm_box --scene crossed_polarizers --seconds "$(share 0.12 84)" --json "$out/peers.json" --plot "$out/peers.png"
+}
+
+part_connections() {
+  run connections "$build/benchmarks/benchmark_connections"
 }
 
 part_thick_media() {

@@ -127,6 +127,11 @@ def peers_algebra(text):
     return "\n".join(line for line in text.split("### RGB, double")[0].splitlines() if line.startswith("|"))
 
 
+def connections(text):
+    """As it is printed."""
+    return text.strip()
+
+
 def operations(text, old):
     """Of benchmark_algebra's first table, which is of float, the operations that the old table has."""
     measured = {line.split("|")[1].strip(): line for line in text.split("### RGB, double")[0].splitlines() if line.startswith("| ")}
@@ -140,7 +145,7 @@ def main():
     measured = pathlib.Path(sys.argv[1])
     performance = "docs/performance.md"
     for make, source, page in ((variants, "variants.json", "README.md"), (variants, "variants.json", "docs/bidirectional.md"),
-                               (operations, "algebra.md", "README.md"), (profile, "profile.json", performance),
+                               (connections, "connections.md", "docs/bidirectional.md"), (operations, "algebra.md", "README.md"), (profile, "profile.json", performance),
                                (limits, "limits.json", performance), (convergence, "convergence.json", performance),
                                (samplers, "convergence.json", performance), (scaling, "scaling.json", performance),
                                (peers, "peers.json", "benchmarks/peers/README.md"), (peers_algebra, "peers_algebra.md", "benchmarks/peers/README.md")):
