@@ -80,11 +80,12 @@ TEST_CASE("connection roulette: the mean stays, in all four components") {
   Scene scene = room(lamp);
   for (const char* name : {"bdpt", "vcm"}) {
     CAPTURE(std::string(name));
-    const Rendering all = render_at(scene, name, 0, 64, 1), some = render_at(scene, name, 1, 64, 2);
-    CHECK_AGREE(Picture(all), Picture(some));
-    CHECK(all.counters.left_to_chance == 0);
+    const Rendering every = render_at(scene, name, 0, 64, 1),
+                    some = render_at(scene, name, 1, 64, 2);
+    CHECK_AGREE(Picture(every), Picture(some));
+    CHECK(every.counters.left_to_chance == 0);
     CHECK(some.counters.left_to_chance > some.counters.connections / 5);
-    CHECK(some.counters.shadow_rays < 0.85 * static_cast<double>(all.counters.shadow_rays));
+    CHECK(some.counters.shadow_rays < 0.85 * static_cast<double>(every.counters.shadow_rays));
   }
 }
 
@@ -98,9 +99,9 @@ TEST_CASE("connection roulette: the mean stays among media, whose weights come l
             bsdf("null") + "<ref name=\"interior\" id=\"mist\"/></shape>" +
             "<emitter type=\"point\"><point name=\"position\" value=\"-0.5, -0.6, 3\"/>" +
             rgb("intensity", "9, 8, 7") + "<ref id=\"mist\"/></emitter>");
-  const Rendering all = render_at(scene, "bdpt", 0, 128, 1),
+  const Rendering every = render_at(scene, "bdpt", 0, 128, 1),
                   some = render_at(scene, "bdpt", 1, 128, 2);
-  CHECK_AGREE(Picture(all), Picture(some));
+  CHECK_AGREE(Picture(every), Picture(some));
   CHECK(some.counters.left_to_chance > some.counters.connections / 5);
 }
 
@@ -111,10 +112,10 @@ TEST_CASE("connection roulette: no component's noise grows by a twentieth") {
   Scene under_lamp = room(lamp), in_the_dark = dark_room();
   for (Scene* scene : {&under_lamp, &in_the_dark}) {
     const float threshold = scene->integrator.connection_threshold;
-    const Rendering all = render_at(*scene, "bdpt", 0, 256),
+    const Rendering every = render_at(*scene, "bdpt", 0, 256),
                     some = render_at(*scene, "bdpt", threshold, 256);
     CHECK(some.counters.left_to_chance > some.counters.connections / 50);
-    const auto noise = noise_of(all), noise_by_chance = noise_of(some);
+    const auto noise = noise_of(every), noise_by_chance = noise_of(some);
     for (std::size_t i = 0; i < 12; ++i) {
       CAPTURE(i);
       CHECK(noise_by_chance[i] <= (i < 9 ? 1.02 : 1.05) * noise[i]);
