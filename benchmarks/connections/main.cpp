@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "../program.hpp"
+#include "../scenes.hpp"
 #include "render/render.hpp"
-#include "scene/build.hpp"
-#include "scene/requirements.hpp"
-#include "scene/xml_reader.hpp"
 
 namespace {
 
@@ -26,17 +23,6 @@ struct Arguments {
   int threads = 2, resolution = 48;
   double left_out = 0.02;
 };
-
-renderer::Scene load(const Arguments& a, const std::string& name) {
-  const auto file = std::filesystem::path(a.folder) / (name + ".xml");
-  const std::string size = std::to_string(a.resolution);
-  std::map<std::string, std::string> definitions{{"resolution", size}};
-  if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
-  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
-  renderer::set_integrator(scene.integrator, a.algorithm);
-  renderer::check_requirements(scene, file.string());
-  return scene;
-}
 
 /// Of all seeds' pictures.
 struct Sums {
@@ -94,7 +80,7 @@ double noise_of(const Arguments& a, const Sums& s, std::size_t component) {
 }
 
 void measure(const Arguments& a, const std::string& name) {
-  renderer::Scene scene = load(a, name);
+  renderer::Scene scene = benchmarks::load_scene(a.folder, name, a.algorithm, a.resolution);
   std::vector<double> first;
   for (const double threshold : a.thresholds) {
     scene.integrator.connection_threshold = static_cast<float>(threshold);

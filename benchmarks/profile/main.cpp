@@ -7,17 +7,14 @@
 #include <tbb/task_arena.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "../program.hpp"
+#include "../scenes.hpp"
 #include "io/atomic_file.hpp"
 #include "packets.hpp"
 #include "photons.hpp"
 #include "rays.hpp"
-#include "scene/build.hpp"
-#include "scene/requirements.hpp"
-#include "scene/xml_reader.hpp"
 
 namespace {
 
@@ -31,18 +28,6 @@ struct Arguments {
   int resolution = 128, photon_resolution = 512;
 };
 
-renderer::Scene load(const Arguments& a, const std::string& name, const std::string& algorithm,
-                     int resolution) {
-  const auto file = std::filesystem::path(a.folder) / (name + ".xml");
-  const std::string size = std::to_string(resolution);
-  std::map<std::string, std::string> definitions{{"resolution", size}};
-  if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
-  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
-  renderer::set_integrator(scene.integrator, algorithm);
-  renderer::check_requirements(scene, file.string());
-  return scene;
-}
-
 constexpr renderer::Mode modes[] = {renderer::Mode::unpolarized, renderer::Mode::optimized};
 
 Json measure_rays(const Arguments& a) {
@@ -53,7 +38,7 @@ Json measure_rays(const Arguments& a) {
   Json list = Json::array();
   for (const auto& name : a.scenes)
     for (const auto& algorithm : a.algorithms) {
-      const renderer::Scene scene = load(a, name, algorithm, a.resolution);
+      const renderer::Scene scene = benchmarks::load_scene(a.folder, name, algorithm, a.resolution);
       for (const auto mode : modes) {
         const auto t = profile::time_rays(scene, mode, a.seconds);
         std::printf(
@@ -85,7 +70,7 @@ Json measure_packets(const Arguments& a) {
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   Json list = Json::array();
   for (const auto& name : a.scenes) {
-    const renderer::Scene scene = load(a, name, "path", a.resolution);
+    const renderer::Scene scene = benchmarks::load_scene(a.folder, name, "path", a.resolution);
     const auto [nearest, shadow] = profile::time_packets(scene, a.seconds);
     for (const auto& t : {nearest, shadow}) {
       std::printf("| %s | %s | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f |\n",
@@ -117,7 +102,8 @@ Json measure_photons(const Arguments& a) {
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   Json list = Json::array();
   for (const auto& name : a.scenes) {
-    const renderer::Scene scene = load(a, name, "vcm", a.photon_resolution);
+    const renderer::Scene scene =
+        benchmarks::load_scene(a.folder, name, "vcm", a.photon_resolution);
     if (scene.has_media()) continue;
     for (const bool polarized : {false, true}) {
       const auto t = profile::time_photons(scene, polarized, a.seconds / 4);

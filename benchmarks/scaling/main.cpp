@@ -14,16 +14,13 @@
 #include <tbb/task_arena.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "../program.hpp"
+#include "../scenes.hpp"
 #include "../variants/measurement.hpp"
 #include "io/atomic_file.hpp"
-#include "scene/build.hpp"
-#include "scene/requirements.hpp"
-#include "scene/xml_reader.hpp"
 
 namespace {
 
@@ -55,14 +52,8 @@ struct Result {
 };
 
 renderer::Scene load(const Arguments& a, const Setting& s) {
-  const auto file = std::filesystem::path(a.folder) / (s.scene + ".xml");
-  const std::string size = std::to_string(s.resolution);
-  std::map<std::string, std::string> definitions{{"resolution", size}};
-  if (s.scene.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
-  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
-  renderer::set_integrator(scene.integrator, s.algorithm);
+  renderer::Scene scene = benchmarks::load_scene(a.folder, s.scene, s.algorithm, s.resolution);
   if (s.max_depth > 0) scene.integrator.max_depth = s.max_depth;
-  renderer::check_requirements(scene, file.string());
   return scene;
 }
 

@@ -7,18 +7,15 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "../program.hpp"
+#include "../scenes.hpp"
 #include "io/atomic_file.hpp"
 #include "io/input_error.hpp"
 #include "measurement.hpp"
 #include "paper.hpp"
-#include "scene/build.hpp"
 #include "scene/needs.hpp"
-#include "scene/requirements.hpp"
-#include "scene/xml_reader.hpp"
 #include "variant.hpp"
 #include "verification.hpp"
 
@@ -55,15 +52,7 @@ constexpr Anchor anchors[] = {
 };
 
 renderer::Scene load(const Arguments& a, const std::string& name, const std::string& algorithm) {
-  const auto file = std::filesystem::path(a.folder) / (name + ".xml");
-  const std::string size = std::to_string(a.resolution);
-  std::map<std::string, std::string> definitions{{"resolution", size}};
-  if (name.starts_with("bathroom")) definitions = {{"width", size}, {"height", size}};
-  if (a.resolution == 0) definitions.clear();
-  renderer::Scene scene = renderer::build_scene(*renderer::read_scene(file, definitions));
-  renderer::set_integrator(scene.integrator, algorithm);
-  renderer::check_requirements(scene, file.string());
-  return scene;
+  return benchmarks::load_scene(a.folder, name, algorithm, a.resolution);
 }
 
 void print_head(const char* title) {

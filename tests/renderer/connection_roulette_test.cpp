@@ -122,20 +122,3 @@ TEST_CASE("connection roulette: no component's noise grows by a twentieth") {
     }
   }
 }
-
-TEST_CASE("connection roulette: what a file says of the threshold") {
-  const auto with = [](const std::string& value) {
-    return build(path_of(3, "<float name=\"connection_threshold\" value=\"" + value + "\"/>") +
-                 camera() + stage + lamp)
-        .integrator.connection_threshold;
-  };
-  CHECK(build(path_of(3) + camera() + stage + lamp).integrator.connection_threshold == 0.125f);
-  CHECK(with("0") == 0);
-  CHECK(with("1") == 1);
-  CHECK(with("0.25") == 0.25f);
-  for (const char* wrong : {"-0.01", "1.01", "nan"}) {
-    CAPTURE(std::string(wrong));
-    CHECK_MESSAGE_HAS(scene_test::error_of([&] { with(wrong); }),
-                      "scene.xml:", "connection_threshold", wrong);
-  }
-}

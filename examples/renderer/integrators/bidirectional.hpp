@@ -214,7 +214,7 @@ class BidirectionalIntegrator {
     deposit_found(radiance, camera_side, v);
   }
 
-  /// `v` tells of the path's length alone.
+  /// `v` tells of the path alone: there is nothing at its end.
   void deposit_environment(const Vertex& v, const Vec3& direction, SubpathMis mis,
                            const Last& last) {
     if (scene_.environment < 0 || (v.edges == 1 && scene_.integrator.hide_emitters)) return;

@@ -13,9 +13,7 @@
 // free of noise, and what is small beside it must not become the picture's noise.
 #pragma once
 
-#include <malus/spectrum.hpp>
-
-#include "../core/sampler.hpp"
+#include "../core/vector.hpp"
 
 namespace renderer {
 

@@ -5,11 +5,9 @@ namespace renderer {
 
 namespace {
 
+/// As a part of the scene's radius.
 float read_radius(const Object& o, std::string_view name, float otherwise) {
-  const auto radius = static_cast<float>(o.positive(name, static_cast<double>(otherwise)));
-  if (radius > 1 || radius < 1e-5f)
-    o.fail(name, std::string(name) + " is a part of the scene's radius, from 0.00001 to 1");
-  return radius;
+  return static_cast<float>(o.number_in(name, static_cast<double>(otherwise), 1e-5, 1));
 }
 
 void read_merging(const Object& o, IntegratorSettings& settings) {
@@ -17,10 +15,8 @@ void read_merging(const Object& o, IntegratorSettings& settings) {
   settings.initial_radius = read_radius(o, "initial_radius", defaults.initial_radius);
   settings.initial_media_radius =
       read_radius(o, "initial_media_radius", defaults.initial_media_radius);
-  settings.radius_alpha = static_cast<float>(o.number("radius_alpha", 0.75));
-  if (!(settings.radius_alpha > 0 && settings.radius_alpha <= 1))
-    o.fail("radius_alpha",
-           "radius_alpha is above 0 and at most 1, with which the radius stays (default 0.75)");
+  o.positive("radius_alpha", 1);
+  settings.radius_alpha = static_cast<float>(o.number_in("radius_alpha", 0.75, 0, 1));
 }
 
 }  // namespace
