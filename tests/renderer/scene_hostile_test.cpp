@@ -166,6 +166,14 @@ TEST_CASE("scene hostile: triangles that a transform leaves without an area are 
   CHECK(contains(warnings[0], "scene.xml:2: <shape type=\"cube\">: 8 of its 12 triangles"));
 }
 
+TEST_CASE("scene hostile: meshes that the memory doesn't hold together are refused") {
+  const auto scene = scene_test::read("\n<shape type=\"ply\"/>");
+  const renderer::Object& mesh = *scene->children("shape")[0];
+  renderer::check_triangles_fit(mesh, 1e6);
+  CHECK_MESSAGE_HAS(error_of([&] { renderer::check_triangles_fit(mesh, 1e13); }),
+                    "scene.xml:", "<shape type=\"ply\">", "take 1600000 GB", "allowed: 4/5");
+}
+
 TEST_CASE("scene hostile: a film that the memory doesn't hold is refused before it is begun") {
   const auto scene = scene_test::read(
       "<sensor type=\"perspective\"><film type=\"hdrfilm\"><integer name=\"width\" "

@@ -10,9 +10,10 @@ using scene_test::Folder;
 
 namespace {
 
-const std::string sun_from_above =
-    "<emitter type=\"directional\"><vector name=\"direction\" value=\"0, 0, -1\"/>" +
-    rgb("irradiance", "3, 2, 1") + "</emitter>";
+std::string sun(const glm::dvec3& direction) {
+  return "<emitter type=\"directional\"><vector name=\"direction\" value=\"" + text(direction) +
+         "\"/>" + rgb("irradiance", "3, 2, 1") + "</emitter>";
+}
 
 /// Of 16 x 16 pixels.
 std::string view(const glm::dvec3& origin, const glm::dvec3& target, double angle) {
@@ -47,20 +48,22 @@ std::string leaning(const Folder& folder, const glm::dvec3& center, const std::s
 }  // namespace
 
 TEST_CASE("sides: photons on the floor are none of the wall's") {
-  // The sun shines along the wall, so that all that its foot could gather is the floor's.
+  // A plate keeps the sun off the wall's foot, but not off the floor before it: all that the foot
+  // could gather is the floor's.
   const std::string room = square({0, 0, 0}, {0, 0, 1}, 2, grey, {0, 1, 0}) +
-                           square({0, 0, 2}, {1, 0, 2}, 2, grey, {0, 1, 0}) + sun_from_above +
-                           path_of(2);
-  for (const char* name : {"ppm", "bpm", "vcm"}) {
+                           square({0, 0, 2}, {1, 0, 2}, 2, grey, {0, 1, 0}) +
+                           square({-0.88, 0, 0.5}, {-0.88, 0, 1}, 1, black, {0, 1, 0}) +
+                           sun({-0.2, 0, -1}) + path_of(2);
+  for (const char* name : {"path", "ptracer", "ppm", "bpm", "vcm"}) {
     CAPTURE(std::string(name));
     const auto seen = [&](const glm::dvec3& target) {
-      Scene scene = build(room + view({2, 0, 0.8}, target, 8));
+      Scene scene = build(room + view({2, 0, 0.8}, target, 4));
       scene.integrator.name = name;
-      scene.integrator.initial_radius = 0.2f;
+      scene.integrator.initial_radius = 0.03f;
       return light(scene);
     };
-    CHECK(seen({0.2, 0, 0}) > 100);
-    CHECK(seen({0, 0, 0.2}) == 0);
+    CHECK(seen({0.2, 0, 0}) > 50);
+    CHECK(seen({0, 0, 0.1}) == 0);
   }
 }
 
@@ -69,7 +72,7 @@ TEST_CASE("sides: light leaves no surface by its back, whatever its normals are"
   // Below the square, where its normals would have it shine, is a floor that sees its back alone.
   const std::string scenery = leaning(folder, {0, 0, 1}, grey) +
                               square({1.5, 0, 0}, {1.5, 0, 1}, 1, grey, {0, 1, 0}) +
-                              sun_from_above + path_of(3);
+                              sun({0, 0, -1}) + path_of(3);
   Scene scene = build(scenery + view({4, 0, 3}, {1.5, 0, 0}, 20));
   scene.integrator.name = "bdpt";
   scene.integrator.strategy = renderer::Strategy{1, 2};

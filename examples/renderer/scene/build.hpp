@@ -49,6 +49,9 @@ class MaterialFactory {
   const Bsdf* default_of_emitters_ = nullptr;
 };
 
+/// Refuses a mesh with which the machine's memory would not hold all of the scene's triangles.
+void check_triangles_fit(const Object& shape, double triangles);
+
 /// Adds a <shape>'s geometry and returns its number.
 std::uint32_t add_shape_geometry(const Object& shape, Geometry& geometry,
                                  std::vector<std::string>& warnings);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "../core/affine.hpp"
+#include "../io/memory.hpp"
 #include "build.hpp"
 #include "mesh_reader.hpp"
 #include "read_for.hpp"
@@ -122,6 +123,13 @@ void check_extent(const Object& o, const TriangleMesh& mesh, std::vector<std::st
 
 }  // namespace
 
+void check_triangles_fit(const Object& o, double triangles) {
+  constexpr double bytes_per_triangle = 160;  // with normals, and Embree's tree
+  const double bytes = bytes_per_triangle * triangles;
+  if (!fits_into_memory(bytes))
+    o.fail("with this one, the scene's meshes take " + in_gigabytes(bytes) + allowed_memory());
+}
+
 std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
                                  std::vector<std::string>& warnings) {
   if (o.type() == "sphere") return geometry.add(make_sphere(o));
@@ -137,6 +145,8 @@ std::uint32_t add_shape_geometry(const Object& o, Geometry& geometry,
   else
     fail_unknown_plugin(o, {"cube", "obj", "ply", "rectangle", "sphere"});
 
+  if (from_file)
+    check_triangles_fit(o, static_cast<double>(geometry.triangle_count() + mesh.triangles.size()));
   const bool face_normals = from_file && o.boolean("face_normals", false);
   if (face_normals) mesh.normals.clear();
   apply_transform(mesh, o.transform("to_world"), !from_file);
