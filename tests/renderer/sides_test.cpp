@@ -93,13 +93,14 @@ TEST_CASE("sides: light leaves no surface by its back, whatever its normals are"
 
 TEST_CASE("sides: a light path knows nothing of the camera path that it meets") {
   // One pixel sees all of a lamp that a floor below lights anew. Were both paths drawn by the same
-  // numbers, they would begin at places of the lamp that have to do with each other.
+  // numbers, they would begin at places of the lamp that have to do with each other, whichever of
+  // its axes the numbers fall on.
   Scene scene =
       build(path_of(3) + "<sensor type=\"perspective\">" + number("fov", 120) +
-            "<transform name=\"to_world\">" + look({0, 0, 0.05}, {0, 0, 0.5}, {0, 1, 0}) +
+            "<transform name=\"to_world\">" + look({0, 0, 0.05}, {0, 0, 0.5}, {1, 1, 0}) +
             "</transform><film type=\"hdrfilm\">" + integer("width", 1) + integer("height", 1) +
             "<rfilter type=\"box\"/></film></sensor>\n" + square({0, 0, 0}, {0, 0, 1}, 1, grey) +
-            square({0, 0, 0.5}, {0, 0, 0}, 0.7, grey + emits(1)));
+            square({0, 0, 0.5}, {0, 0, 0}, 0.7, grey + emits(1), {0, 1, 0}));
   Picture expected = picture(scene, "path", 1 << 16, 1);
   scene.integrator.max_depth = 2;
   expected -= picture(scene, "path", 1 << 16, 1);
