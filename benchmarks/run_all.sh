@@ -6,9 +6,9 @@
 #
 #   benchmarks/run_all.sh OUT [MINUTES]
 #
-# MINUTES (35) are shared by all of them; algebra, accuracy and connections have a length of their own, some minutes. The machine should have
-# nothing else to do. Programs are taken from BUILD (build/benchmarks), the profiled one from PROFILE (build/profile), which
-# are configured and compiled first unless COMPILE=0. A part that fails or is not installed is said in one line and in
+# MINUTES (35) are shared by all of them; algebra, accuracy, connections and instructions have a length of their own, some minutes. The machine
+# should have nothing else to do. Programs are taken from BUILD (build/benchmarks), the profiled one from PROFILE (build/profile), that whose
+# instructions are counted from COUNT (build/count), which are configured and compiled first unless COMPILE=0. A part that fails or is not installed is said in one line and in
 # OUT/summary.md, and the others go on; the exit status is then 1, but 0 if parts were skipped alone. PARTS names what to run:
 #
 #   PARTS="variants scaling" benchmarks/run_all.sh out 5
@@ -25,8 +25,9 @@ if [[ -z $out || ! $minutes =~ ^[0-9]+(\.[0-9]+)?$ ]] || (($# > 2)); then
 fi
 build=${BUILD:-build/benchmarks}
 profile=${PROFILE:-build/profile}
+count=${COUNT:-build/count}
 python=${MITSUBA:-python3}
-parts=${PARTS:-variants convergence accuracy scaling limits profile peers thick_media connections algebra}
+parts=${PARTS:-variants convergence accuracy scaling limits profile instructions peers thick_media connections algebra}
 mkdir -p "$out" || exit 2
 out=$(cd -- "$out" && pwd)
 summary=$out/summary.md
@@ -125,6 +126,18 @@ part_profile() {
   run profile benchmarks/profile/profile.py "$profile/examples/malus-render" --seconds "$(share 0.05 24)" --json "$out/profile.json"
 }
 
+part_instructions() {
+  if ! command -v valgrind >/dev/null; then
+    skip instructions "valgrind is not installed"
+    return
+  fi
+  if [[ ! -x $count/examples/malus-render ]]; then
+    skip instructions "there is no $count/examples/malus-render"
+    return
+  fi
+  run instructions benchmarks/profile/instructions.py "$count/examples/malus-render" --json "$out/instructions.json"
+}
+
 part_peers() {
   run peers_algebra "$build/benchmarks/benchmark_peers"
   if ! "$python" -c "import mitsuba" 2>/dev/null; then
@@ -159,6 +172,13 @@ if [[ ${COMPILE:-1} != 0 ]]; then
     if ! { compile "$profile" -DMALUS_BUILD_TESTS=OFF -DMALUS_BUILD_BENCHMARKS=OFF -DCMAKE_CXX_FLAGS=-g1 &&
       cmake --build "$profile" --target malus-render; } >>"$out/compile.log" 2>&1; then
       say "nothing to profile: $out/compile.log"
+    fi
+  fi
+  if [[ " $parts " == *" instructions "* ]] && command -v valgrind >/dev/null; then
+    # Valgrind knows no AVX-512.
+    if ! { compile "$count" -DMALUS_BUILD_TESTS=OFF -DMALUS_BUILD_BENCHMARKS=OFF -DMALUS_NATIVE=OFF \
+      -DCMAKE_CXX_FLAGS="-g1 -march=x86-64-v3 -ffp-contract=off" && cmake --build "$count" --target malus-render; } >>"$out/compile.log" 2>&1; then
+      say "nothing to count: $out/compile.log"
     fi
   fi
 fi

@@ -32,6 +32,14 @@ def profile(rows):
     return "Nanoseconds a path, one thread.\n\n" + table(["scene", "algorithm", "mode", "all", "rays a path", *parts], listed)
 
 
+def instructions(rows):
+    parts = {p for r in rows for p, n in r["parts"].items() if n > 0.02 * r["instructions_per_path"]}
+    parts = sorted(parts, key=lambda p: -sum(r["parts"].get(p, 0) for r in rows))
+    listed = [[r["scene"], r["integrator"], r["mode"], f"{r['instructions_per_path']:.0f}", f"{r['ratio']:.3f}",
+               *(f"{r['parts'].get(p, 0):.0f}" for p in parts)] for r in rows]
+    return "Instructions a path.\n\n" + table(["scene", "algorithm", "mode", "all", "ratio", *parts], listed)
+
+
 def limits(content):
     rays = [[r["scene"], r["algorithm"], r["mode"], f"{r['nanoseconds_per_path']:.0f}",
              f"{r['rays_per_path']:.2f} + {r['shadow_rays_per_path']:.2f}", f"{r['nanoseconds_per_ray_alone']:.0f}",
@@ -146,6 +154,7 @@ def main():
     performance = "docs/performance.md"
     for make, source, page in ((variants, "variants.json", "README.md"), (variants, "variants.json", "docs/bidirectional.md"),
                                (connections, "connections.md", "docs/bidirectional.md"), (operations, "algebra.md", "README.md"), (profile, "profile.json", performance),
+                               (instructions, "instructions.json", performance),
                                (limits, "limits.json", performance), (convergence, "convergence.json", performance),
                                (samplers, "convergence.json", performance), (scaling, "scaling.json", performance),
                                (peers, "peers.json", "benchmarks/peers/README.md"), (peers_algebra, "peers_algebra.md", "benchmarks/peers/README.md")):

@@ -17,10 +17,11 @@ struct Sample {
 std::vector<Sample> samples(const Curve& curve, std::size_t quantity, const Reference& reference,
                             std::optional<std::size_t> without = {}) {
   std::vector<Sample> list;
+  const double seconds = curve.seconds_a_sample();
   for (const Point& p : curve.points) {
     const double e = p.error(quantity, true, without);
     if (!p.resolved(quantity, reference) || !(e > 0)) continue;
-    list.push_back({std::log(p.mean_seconds()), std::log(e)});
+    list.push_back({std::log(seconds * static_cast<double>(p.samples)), std::log(e)});
   }
   return list;
 }
@@ -82,13 +83,11 @@ double student(std::size_t degrees) {
          (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * n * n);
 }
 
-/// The logarithm of Gain's value; infinite where an error is 0 without a repeat.
-double log_gain(const Point& base, const Point& other, std::size_t quantity, bool at_equal_time,
+/// The logarithm of Gain's value at equal samples; infinite where an error is 0 without a repeat.
+double log_gain(const Point& base, const Point& other, std::size_t quantity,
                 std::optional<std::size_t> without = {}) {
-  double log = 2 * std::log(base.error(quantity, true, without)) -
-               2 * std::log(other.error(quantity, true, without));
-  if (at_equal_time) log += std::log(base.mean_seconds(without) / other.mean_seconds(without));
-  return log;
+  return 2 * std::log(base.error(quantity, true, without)) -
+         2 * std::log(other.error(quantity, true, without));
 }
 
 }  // namespace
@@ -102,16 +101,6 @@ void Point::add_repeat(const std::vector<Picture>& pictures, const Reference& re
   }
   seconds.push_back(time);
   repeats.push_back(mean);
-}
-
-double Point::mean_seconds(std::optional<std::size_t> without) const {
-  double total = 0, n = 0;
-  for (std::size_t r = 0; r < seconds.size(); ++r) {
-    if (without == r) continue;
-    total += seconds[r];
-    ++n;
-  }
-  return total / n;
 }
 
 double Point::error(std::size_t quantity, bool relative, std::optional<std::size_t> without) const {
@@ -145,6 +134,15 @@ bool Point::resolved(std::size_t quantity, const Reference& reference) const {
   return e > 2 * reference.standard_error()[quantity] && e * e > 3 * uncertainty;
 }
 
+double Curve::seconds_a_sample() const {
+  std::vector<double> all;
+  for (const Point& p : points)
+    for (const double s : p.seconds) all.push_back(s / static_cast<double>(p.samples));
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
 std::optional<Line> Curve::line(std::size_t quantity, const Reference& reference) const {
   auto all = fit(samples(*this, quantity, reference));
   if (!all) return {};
@@ -170,15 +168,16 @@ std::optional<TimeTo> Curve::time_to(double error, std::size_t quantity,
 
 std::optional<Gain> gain_over(const Curve& base, const Curve& curve, std::size_t quantity,
                               bool at_equal_time, const Reference& reference) {
+  const double faster =
+      at_equal_time ? std::log(base.seconds_a_sample() / curve.seconds_a_sample()) : 0;
   for (std::size_t i = std::min(base.points.size(), curve.points.size()); i-- > 0;) {
     const Point &b = base.points[i], &c = curve.points[i];
     if (!b.resolved(quantity, reference) || !c.resolved(quantity, reference)) continue;
     const std::size_t repeats = std::min(b.repeats.size(), c.repeats.size());
     if (repeats < 2) return {};
     std::vector<double> logs;
-    for (std::size_t r = 0; r < repeats; ++r)
-      logs.push_back(log_gain(b, c, quantity, at_equal_time, r));
-    const double log = log_gain(b, c, quantity, at_equal_time);
+    for (std::size_t r = 0; r < repeats; ++r) logs.push_back(log_gain(b, c, quantity, r));
+    const double log = log_gain(b, c, quantity) + faster;
     const double half = student(repeats - 1) * jackknife(logs);
     if (!std::isfinite(half)) continue;
     return Gain{c.samples, std::exp(log), std::exp(log - half), std::exp(log + half)};

@@ -18,8 +18,6 @@ struct Point {
   std::vector<Errors> repeats;  ///< the same
 
   void add_repeat(const std::vector<Picture>& pictures, const Reference& reference);
-  /// Without one repeat, if one is named.
-  double mean_seconds(std::optional<std::size_t> without = {}) const;
   /// The root of the mean over repeats of the squared error (relative, or in the picture's units);
   /// 0 where that is below zero. Without one repeat, if one is named.
   double error(std::size_t quantity, bool relative = true,
@@ -53,6 +51,12 @@ struct Curve {
   std::string mode, drawn_by;                      ///< and what they are in this scene
   std::vector<Point> points;
 
+  /// The median of all pictures': what interrupts one of them is no cost of the algorithm, and
+  /// samples cost the same however many there are.
+  double seconds_a_sample() const;
+  double seconds(const Point& p) const {
+    return static_cast<double>(p.samples) * seconds_a_sample();
+  }
   /// The line through the points that are resolved; none if there are less than three.
   std::optional<Line> line(std::size_t quantity, const Reference& reference) const;
   /// When an error is reached: between measured points along the straight line through both; no

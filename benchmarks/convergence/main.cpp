@@ -13,8 +13,9 @@
 //
 // Then each algorithm renders samples a pixel in powers of two, the most of which take about
 // --seconds; every picture has a seed of its own, except that variants share them. Repeats take
-// turns, as do variants, so that drifts of the machine's speed fall on all alike. With one thread
-// times are the processor's.
+// turns, as do variants, so that drifts of the machine's speed fall on all alike; a point's time is
+// its samples times the median of all pictures' time a sample. With one thread times are the
+// processor's.
 //
 // With several samplers (--sampler independent sobol) the squared errors' ratio is printed, at
 // equal samples and at equal time. --budget 15 shares a quarter of an hour among all scenes and

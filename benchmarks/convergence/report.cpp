@@ -62,10 +62,10 @@ Json by_quantity(auto&& value) {
   return json;
 }
 
-Json to_json(const Point& p, const Reference& reference) {
+Json to_json(const Point& p, double seconds, const Reference& reference) {
   Json json;
   json["samples"] = p.samples;
-  json["seconds"] = p.mean_seconds();
+  json["seconds"] = seconds;
   json["repeats"] = p.repeats.size();
   json["rmse"] = by_quantity([&](std::size_t q) { return p.error(q, false); });
   json["rmse_spread"] = by_quantity([&](std::size_t q) { return p.spread(q, false); });
@@ -128,7 +128,7 @@ void print(const std::vector<Curve>& curves, const std::vector<double>& targets,
   for (const Curve& c : curves) {
     const Point& last = c.points.back();
     std::printf("| %s | %s | %s | %s | %s | %llu |", c.scene.c_str(), c.algorithm.c_str(),
-                c.variant.c_str(), c.sampler.c_str(), digits(last.mean_seconds()).c_str(),
+                c.variant.c_str(), c.sampler.c_str(), digits(c.seconds(last)).c_str(),
                 static_cast<unsigned long long>(last.samples));
     for (const std::size_t q : shown) std::printf(" %s |", error_text(last, q, reference).c_str());
     for (const std::size_t q : shown)
@@ -224,7 +224,7 @@ Json to_json(const Curve& c, const std::vector<double>& targets, const Reference
   Json json{{"scene", c.scene},        {"algorithm", c.algorithm}, {"variant", c.variant},
             {"sampler", c.sampler},    {"mode", c.mode},           {"drawn_by", c.drawn_by},
             {"points", Json::array()}, {"slopes", Json::object()}, {"time_to", Json::array()}};
-  for (const Point& p : c.points) json["points"].push_back(to_json(p, reference));
+  for (const Point& p : c.points) json["points"].push_back(to_json(p, c.seconds(p), reference));
   for (std::size_t q = 0; q < quantities; ++q) {
     const auto line = c.line(q, reference);
     json["slopes"][quantity_names[q]] = line ? Json{{"slope", line->slope},
