@@ -171,5 +171,5 @@ TEST_CASE("media: volpath counts no sheets, whichever integrator is asked for in
   CHECK(settings("vcm").initial_media_radius == 0.01f);
   CHECK(settings("path", number("initial_media_radius", 0.5)).initial_media_radius == 0.5f);
   CHECK_MESSAGE_HAS(error_of([&] { settings("ppm", number("initial_media_radius", 2)); }),
-                    "scene.xml:3: ", "initial_media_radius", "from 0.00001 to 1");
+                    "scene.xml:3: ", "\"initial_media_radius\" is 2", "allowed: 1e-05 to 1");
 }

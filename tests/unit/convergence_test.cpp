@@ -38,11 +38,13 @@ Half half(unsigned seed, double noise, double offset = 0) {
   return h;
 }
 
-/// Errors c·tᵖ in all quantities, of three repeats that differ a little.
+/// Errors c·tᵖ in all quantities after t samples and seconds, of three repeats that differ a
+/// little.
 Curve curve(double c, double power) {
   Curve result{"scene", "path", "optimized", "auto", "optimized", "sobol", {}};
   for (const double t : {1.0, 2.0, 4.0, 8.0}) {
     Point p;
+    p.samples = static_cast<std::uint64_t>(t);
     for (const double part : {0.98, 1.0, 1.02}) {
       Errors e;
       const double error = c * std::pow(t, power) * part;
@@ -140,6 +142,17 @@ TEST_CASE("convergence: slopes, times to an error, and what is too close to the 
   CHECK(curve(0.026, 0).points[0].resolved(0, reference));
   CHECK_FALSE(curve(0.024, 0).points[0].resolved(0, reference));
   CHECK_FALSE(curve(0.02, -0.5).line(0, reference));
+}
+
+TEST_CASE("convergence: what interrupts single pictures moves no time") {
+  const Reference reference(half(100, 0.05), half(200, 0.05));
+  Curve c = curve(0.4, -0.5);
+  c.points[1].seconds = {20, 2, 2};
+  c.points[3].seconds = {8, 8, 80};
+  CHECK(near(c.seconds_a_sample(), 1, 1e-12));
+  CHECK(near(c.seconds(c.points[3]), 8, 1e-12));
+  CHECK(near(c.time_to(0.2, 0, reference)->seconds, 4, 0.01));
+  CHECK(near(c.line(0, reference)->slope, -0.5, 1e-6));
 }
 
 TEST_CASE(
