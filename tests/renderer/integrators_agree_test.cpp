@@ -161,13 +161,7 @@ TEST_CASE("integrators agree: a mesh whose normals are not its faces'") {
                 material == glass ? connecting : all, 32, 64);
   }
   // A leaf whose normals lean to the camera, which sees it from behind: there is nothing to see.
-  const std::string n = " 0 0.575 0.818\n";
-  const auto leaf = folder.write(
-      "leaf.ply",
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list "
-      "uchar int vertex_indices\nend_header\n-1 -1 0" +
-          n + "1 -1 0" + n + "1 1 0" + n + "-1 1 0" + n + "3 0 1 2\n3 0 2 3\n");
+  const auto leaf = square_with_normal(folder, "0 0.575 0.818");
   check_agree(build(path_of(3) + camera() + floor_and_wall + lamp + "<shape type=\"ply\">" +
                     file(leaf.string()) + "<transform name=\"to_world\"><scale value=\"0.7\"/>" +
                     look({0.3, -0.3, 1.1}, {-0.075, 0.171, 1.899}, {-0.061, -0.957, 0.285}) +

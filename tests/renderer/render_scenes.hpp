@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <sstream>
 #include <string>
@@ -58,6 +59,19 @@ inline std::string square(const glm::dvec3& center, const glm::dvec3& facing, do
   return "<shape type=\"rectangle\"><transform name=\"to_world\"><scale value=\"" +
          std::to_string(size) + "\"/>" + look(center, facing, up) + "</transform>" + content +
          "</shape>\n";
+}
+
+/// The file of a square of half the width 1 about the origin, whose front faces +z, and whose
+/// normal is interpolated from the same one, such as "0 0.6 0.8", everywhere.
+inline std::filesystem::path square_with_normal(const scene_test::Folder& folder,
+                                                const std::string& normal) {
+  const std::string n = " " + normal + "\n";
+  return folder.write(
+      "square " + normal + ".ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list "
+      "uchar int vertex_indices\nend_header\n-1 -1 0" +
+          n + "1 -1 0" + n + "1 1 0" + n + "-1 1 0" + n + "3 0 1 2\n3 0 2 3\n");
 }
 
 inline const std::string sky =

@@ -33,13 +33,7 @@ double light(const Scene& scene) {
 /// A square of half the width 1 that faces upwards, whose interpolated normals lean by 60 degrees
 /// towards +x.
 std::string leaning(const Folder& folder, const glm::dvec3& center, const std::string& content) {
-  const std::string n = " 0.866025 0 0.5\n";
-  const auto mesh = folder.write(
-      "leaning.ply",
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list "
-      "uchar int vertex_indices\nend_header\n-1 -1 0" +
-          n + "1 -1 0" + n + "1 1 0" + n + "-1 1 0" + n + "3 0 1 2\n3 0 2 3\n");
+  const auto mesh = square_with_normal(folder, "0.866025 0 0.5");
   return "<shape type=\"ply\"><string name=\"filename\" value=\"" + mesh.string() +
          "\"/><transform name=\"to_world\"><translate value=\"" + text(center) +
          "\"/></transform>" + content + "</shape>\n";

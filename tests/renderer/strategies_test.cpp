@@ -29,13 +29,7 @@ const std::string metal =
 /// A square like square(), whose interpolated normal leans to its side, everywhere by 30 degrees.
 std::string leaning(const Folder& folder, const glm::dvec3& center, const glm::dvec3& facing,
                     double size, const std::string& content, const glm::dvec3& up) {
-  const std::string n = " -0.5 0 0.866025\n";
-  const auto mesh = folder.write(
-      "leaning.ply",
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list "
-      "uchar int vertex_indices\nend_header\n-1 -1 0" +
-          n + "1 -1 0" + n + "1 1 0" + n + "-1 1 0" + n + "3 0 1 2\n3 0 2 3\n");
+  const auto mesh = square_with_normal(folder, "-0.5 0 0.866025");
   return "<shape type=\"ply\"><string name=\"filename\" value=\"" + mesh.string() +
          "\"/><transform name=\"to_world\"><scale value=\"" + std::to_string(size) + "\"/>" +
          look(center, facing, up) + "</transform>" + content + "</shape>\n";
